@@ -1,0 +1,36 @@
+// The whole path from a noisy recording to a denoised one and its clicks.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "rigsound/analysis/click_train.hpp"
+
+namespace rigsound::analysis {
+
+constexpr double kAnalysisRate = 48000;  ///< Hz; recordings are resampled to it when they are read
+
+enum class Method { kClickNmf, kPaper };
+
+struct ChainOptions {
+  Method method = Method::kClickNmf;
+  bool denoise = true;              ///< false: the recording is taken as clean
+  unsigned seed = 0;                ///< of the random start of the factorisation
+  std::filesystem::path dump;       ///< folder for intermediate signals; empty: none
+};
+
+struct ChainResult {
+  bool drilling_found = false;
+  std::string reason;               ///< why not, when nothing was found
+  ClickTrain clicks;
+  std::vector<float> drilling;      ///< the recording without its background, same length and level
+  std::vector<double> signal_psd;   ///< mean modelled power of the drilling, per STFT bin (257 bins)
+  std::vector<double> noise_psd;    ///< the same for the background
+  std::vector<double> output_psd;   ///< mean power of the denoised output, same bins
+};
+
+/// Runs denoising and click detection on `mono` (48 kHz, full scale 1). Deterministic. Thread: OFF.
+ChainResult run_chain(const std::vector<float>& mono, const ChainOptions& options);
+
+}  // namespace rigsound::analysis

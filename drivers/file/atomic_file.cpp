@@ -1,0 +1,68 @@
+#include "rigsound/file/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <string>
+
+#include "rigsound/device_error.hpp"
+
+namespace rigsound {
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void fail(const fs::path& path, const char* what, int error) {
+  throw DeviceError(path.string() + ": " + what + ": " + std::strerror(error));
+}
+
+void flush_to_disk(const fs::path& path) {
+  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (fd < 0) fail(path, "cannot be opened again", errno);
+  const int synced = ::fsync(fd);
+  const int error = errno;
+  ::close(fd);
+  if (synced != 0) fail(path, "cannot be flushed to disk", error);
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
+  const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
+  std::string name = (folder / ("." + target_.stem().string() + ".XXXXXX")).string();
+  const std::string extension = target_.extension().string();
+  name += extension;
+  const int fd = ::mkstemps(name.data(), static_cast<int>(extension.size()));
+  if (fd < 0) fail(target_, "cannot be written", errno);
+  ::fchmod(fd, 0644);
+  ::close(fd);
+  temporary_ = name;
+}
+
+AtomicFile::~AtomicFile() {
+  std::error_code ignored;
+  if (!committed_) fs::remove(temporary_, ignored);
+}
+
+void AtomicFile::commit() {
+  flush_to_disk(temporary_);
+  std::error_code error;
+  fs::rename(temporary_, target_, error);
+  if (error) fail(target_, "cannot be put in place", error.value());
+  committed_ = true;
+}
+
+void write_file(const fs::path& target, std::string_view text) {
+  AtomicFile file(target);
+  std::ofstream out(file.temporary(), std::ios::binary | std::ios::trunc);
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  out.close();
+  if (!out) fail(target, "cannot be written", errno);
+  file.commit();
+}
+
+}  // namespace rigsound

@@ -1,0 +1,47 @@
+// `rigsound`: one command, many verbs. Exit codes: 0 done, 1 wrong input, 2 wrong usage, 3 the machine failed.
+#include <cstdio>
+#include <exception>
+
+#include "rigsound/device_error.hpp"
+#include "rigsound/input_error.hpp"
+#include "verbs.hpp"
+
+using namespace rigsound;
+
+namespace {
+
+constexpr tools::AddVerb kVerbs[] = {
+    nullptr,
+};
+
+int run(int argc, char** argv) {
+  CLI::App app("The sound of a percussive drilling rig, from recordings and a fieldbus.", "rigsound");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", RIGSOUND_VERSION);
+  for (const tools::AddVerb add : kVerbs)
+    if (add) add(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  return 0;
+}
+
+int complain(const std::exception& error, int code) {
+  std::fflush(stdout);
+  std::fprintf(stderr, "%s\n", error.what());
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const DeviceError& error) {
+    return complain(error, 3);
+  } catch (const std::exception& error) {
+    return complain(error, 1);
+  }
+}

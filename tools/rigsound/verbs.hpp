@@ -1,0 +1,10 @@
+// One function a verb: adds the subcommand, whose callback does the work.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace rigsound::tools {
+
+using AddVerb = void (*)(CLI::App& app);
+
+}  // namespace rigsound::tools
