@@ -13,9 +13,9 @@ namespace rigsound {
 
 struct BoomOptions {
   std::string name = "boom";
-  double pan = 0;       ///< -1 left ... +1 right, over the first two channels
+  double pan = 0;  ///< -1 left ... +1 right, over the first two channels
   double gain_db = 0;
-  int tool = -1;        ///< index into SoundSet::tools; -1: no ringing bar
+  int tool = -1;  ///< index into SoundSet::tools; -1: no ringing bar
 };
 
 /// When a drill is in which situation. Pressures in bar.
@@ -37,14 +37,14 @@ struct EqualiserBand {
 struct MixOptions {
   double drill_db = 0, tool_db = -12, background_db = 0;
   std::vector<EqualiserBand> equaliser;
-  double ceiling_dbfs = -1;      ///< no sample ever exceeds it
+  double ceiling_dbfs = -1;  ///< no sample ever exceeds it
 };
 
 struct EngineOptions {
-  double sample_rate = 48000;    ///< Hz, kMinSampleRate...kMaxSampleRate
-  int block = 64;                ///< frames, a multiple of kChunk up to kMaxBlock
-  int channels = 2;              ///< 1...kMaxChannels
-  std::uint64_t seed = 1;        ///< same seed, same bits
+  double sample_rate = 48000;  ///< Hz, kMinSampleRate...kMaxSampleRate
+  int block = 64;              ///< frames, a multiple of kChunk up to kMaxBlock
+  int channels = 2;            ///< 1...kMaxChannels
+  std::uint64_t seed = 1;      ///< same seed, same bits
   std::vector<BoomOptions> booms = {BoomOptions{}};
   SceneOptions scene;
   MixOptions mix;
@@ -52,9 +52,9 @@ struct EngineOptions {
 
 /// What the last block was like. Thread: RT (the thread that calls process).
 struct EngineMeters {
-  float peak = 0;          ///< of the last block, linear, after the limiter
+  float peak = 0;  ///< of the last block, linear, after the limiter
   float rms = 0;
-  float limiter_gain = 1;  ///< lowest of the last block, linear
+  float limiter_gain = 1;         ///< lowest of the last block, linear
   std::uint64_t lost_clicks = 0;  ///< clicks dropped because every voice was busy, since construction
 };
 
@@ -70,9 +70,6 @@ class Engine {
   /// One block. `out`: block x channels samples, interleaved, |sample| <= ceiling. `state` acts from the
   /// first sample on. Never allocates, locks, throws or calls libm. Thread: RT.
   void process(const MachineState& state, float* out) noexcept;
-
-  /// Back to the state after construction. Thread: OFF.
-  void reset() noexcept;
 
   EngineMeters meters() const noexcept;  ///< Thread: RT
   const EngineOptions& options() const noexcept;

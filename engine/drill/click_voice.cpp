@@ -1,0 +1,51 @@
+#include "drill/click_voice.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace rigsound::drill {
+namespace {
+
+// A click made shorter in attack would need boundless gain at its first samples, where there is little
+// but noise; 12 dB keeps the change audible without lifting that noise.
+constexpr double kMaxReshape = 4;
+constexpr double kSilence = 1e-9;
+
+}  // namespace
+
+void ClickVoice::start(const ClickBank& bank, const std::vector<float>& click, int delay, double gain,
+                       const DrillControls& controls) noexcept {
+  position_ = click.data();
+  end_ = click.data() + click.size();
+  delay_ = delay;
+  gain_ = gain;
+  const double attack = static_cast<double>(controls.attack_factor);
+  const double decay = static_cast<double>(controls.decay_factor);
+  reshaped_ = attack != 1 || decay != 1;
+  if (!reshaped_) return;
+  was_ = AttackDecay(bank.N_a, bank.alpha_a, bank.alpha_d);
+  wanted_ = AttackDecay(bank.N_a * attack, bank.alpha_a / attack, bank.alpha_d * decay);
+  ratio_ = 1;
+  // Both envelopes are 0 at their first sample; their ratio there is that of their slopes.
+  if (bank.N_a > 0) was_.next(), wanted_.next();
+}
+
+void ClickVoice::add_to(double* bus) noexcept {
+  const int from = std::min(delay_, kChunk);
+  delay_ -= from;
+  const int count = static_cast<int>(std::min<std::ptrdiff_t>(kChunk - from, end_ - position_));
+  double* out = bus + from;
+  if (!reshaped_) {
+    for (int n = 0; n < count; ++n) out[n] += gain_ * static_cast<double>(position_[n]);
+  } else {
+    for (int n = 0; n < count; ++n) {
+      const double was = was_.next();
+      const double wanted = wanted_.next();
+      if (was > kSilence) ratio_ = std::min(wanted / was, kMaxReshape);
+      out[n] += gain_ * ratio_ * static_cast<double>(position_[n]);
+    }
+  }
+  position_ += count;
+}
+
+}  // namespace rigsound::drill

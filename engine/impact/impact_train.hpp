@@ -1,0 +1,59 @@
+// When the hammer strikes and how hard: one train per boom, heard by the drill and the tool layer alike.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "dsp/random.hpp"
+#include "rigsound/click_bank.hpp"
+#include "rigsound/impact.hpp"
+#include "rigsound/limits.hpp"
+#include "rigsound/machine_state.hpp"
+
+namespace rigsound::impact {
+
+/// How blows are spaced and weighed (drilling paper, section 3.7; gaps and amplitudes are lognormal
+/// AR(1) series, so that neither can turn negative).
+struct Statistics {
+  double T_0 = 0;       ///< mean gap, samples; 0: no blows
+  double cv_T = 0;      ///< sigma_T / T_0
+  double r_T = 0;       ///< lag-1 correlation of gaps
+  double p_miss = 0;    ///< share of doubled gaps
+  double p_double = 0;  ///< share of short gaps
+  double cv_B = 0;      ///< sigma_B / B
+  double r_B = 0;       ///< lag-1 correlation of amplitudes
+};
+
+/// The statistics of `bank` under the live controls. `rate_hz` > 0 (the machine's) replaces the bank's
+/// own rate, the control's mean frequency replaces both. Thread: RT.
+Statistics statistics_of(const ClickBank& bank, double sample_rate, double rate_hz,
+                         const DrillControls& controls) noexcept;
+
+/// Mixture of two statistics: T_0 geometrically, the rest linearly. `share` 0...1 is b's. Thread: RT.
+Statistics blend(const Statistics& a, const Statistics& b, double share) noexcept;
+
+class ImpactTrain {
+ public:
+  ImpactTrain(std::uint64_t seed, int boom) noexcept;
+
+  /// Blows that start within the next kChunk samples. With T_0 = 0 the hammer rests, and strikes at once
+  /// when it comes back. Thread: RT.
+  void process(const Statistics& statistics) noexcept;
+
+  const Impact* begin() const noexcept { return impacts_.data(); }
+  int count() const noexcept { return count_; }
+
+ private:
+  double draw_gap(const Statistics& s) noexcept;
+  double draw_amplitude(const Statistics& s) noexcept;
+
+  dsp::RandomField random_;
+  std::array<Impact, kMaxImpacts> impacts_{};
+  int count_ = 0;
+  double waited_ = 0;                   ///< mean gaps that have passed since the last blow
+  double gap_ = 0;                      ///< the gap to the next blow, in mean gaps
+  double z_gap_ = 0, z_amplitude_ = 0;  ///< AR(1) states
+  std::uint64_t index_ = 0;
+};
+
+}  // namespace rigsound::impact

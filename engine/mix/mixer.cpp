@@ -1,0 +1,80 @@
+#include "mix/mixer.hpp"
+
+#include <algorithm>
+
+#include "dsp/elementary.hpp"
+
+namespace rigsound::mix {
+namespace {
+
+struct Stereo {
+  double left, right;
+};
+
+/// Equal-power pan law: -3 dB each in the middle.
+Stereo pan_law(double pan) {
+  const double angle = (pan + 1) * dsp::kPi / 4;
+  return {dsp::cos(angle), dsp::sin(angle)};
+}
+
+void set_gains(std::array<double, kMaxChannels>& gains, int channels, double gain, double pan) {
+  gains.fill(0);
+  if (channels == 1) {
+    gains[0] = gain;
+    return;
+  }
+  const Stereo place = pan_law(pan);
+  gains[0] = gain * place.left;
+  gains[1] = gain * place.right;
+}
+
+}  // namespace
+
+Mixer::Mixer(const EngineOptions& options)
+    : booms_(static_cast<int>(options.booms.size())),
+      channels_(options.channels),
+      ceiling_(static_cast<float>(dsp::gain_of_db(options.mix.ceiling_dbfs))),
+      bands_(static_cast<int>(options.mix.equaliser.size())),
+      limiter_(dsp::gain_of_db(options.mix.ceiling_dbfs), options.channels, options.sample_rate) {
+  for (int b = 0; b < booms_; ++b) {
+    const BoomOptions& boom = options.booms[static_cast<std::size_t>(b)];
+    BoomGains& gains = boom_[static_cast<std::size_t>(b)];
+    set_gains(gains.drill, channels_, dsp::gain_of_db(options.mix.drill_db + boom.gain_db), boom.pan);
+    set_gains(gains.tool, channels_, dsp::gain_of_db(options.mix.tool_db + boom.gain_db), boom.pan);
+  }
+  set_gains(background_, channels_, dsp::gain_of_db(options.mix.background_db), 0);
+  for (int c = 0; c < channels_; ++c)
+    for (const EqualiserBand& band : options.mix.equaliser)
+      equaliser_.emplace_back(dsp::peaking(band.frequency_hz, band.gain_db, band.q, options.sample_rate));
+}
+
+void Mixer::place(const Buses& buses, double (*x)[kChunk]) const noexcept {
+  for (int c = 0; c < channels_; ++c) {
+    const auto channel = static_cast<std::size_t>(c);
+    for (int n = 0; n < kChunk; ++n) x[c][n] = background_[channel] * buses.background[n];
+    for (int b = 0; b < booms_; ++b) {
+      const BoomGains& gains = boom_[static_cast<std::size_t>(b)];
+      for (int n = 0; n < kChunk; ++n)
+        x[c][n] += gains.drill[channel] * buses.drill[b][n] + gains.tool[channel] * buses.tool[b][n];
+    }
+  }
+}
+
+void Mixer::process(const Buses& buses, double gain_from, double gain_to, float* out) noexcept {
+  double x[kMaxChannels][kChunk];
+  place(buses, x);
+  const double step = (gain_to - gain_from) / kChunk;
+  for (int c = 0; c < channels_; ++c) {
+    for (int n = 0; n < kChunk; ++n) x[c][n] *= gain_from + step * (n + 1);
+    for (int e = 0; e < bands_; ++e) {
+      dsp::Biquad& band = equaliser_[static_cast<std::size_t>(c * bands_ + e)];
+      for (int n = 0; n < kChunk; ++n) x[c][n] = band.process(x[c][n]);
+    }
+  }
+  limiter_.process(x);
+  for (int n = 0; n < kChunk; ++n)
+    for (int c = 0; c < channels_; ++c)
+      *out++ = std::clamp(static_cast<float>(x[c][n]), -ceiling_, ceiling_);  // rounding to float may pass it
+}
+
+}  // namespace rigsound::mix

@@ -1,0 +1,46 @@
+// Layers in, channels out: gains, pan, equaliser, limiter.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "dsp/biquad.hpp"
+#include "mix/limiter.hpp"
+#include "rigsound/engine.hpp"
+#include "rigsound/limits.hpp"
+
+namespace rigsound::mix {
+
+/// kChunk samples of every layer.
+struct Buses {
+  double drill[kMaxBooms][kChunk];
+  double tool[kMaxBooms][kChunk];
+  double background[kChunk];
+};
+
+class Mixer {
+ public:
+  explicit Mixer(const EngineOptions& options);  ///< Thread: OFF
+
+  /// Mixes one chunk to `out` (kChunk x channels, interleaved); the output level goes linearly from
+  /// `gain_from` to `gain_to`. Thread: RT.
+  void process(const Buses& buses, double gain_from, double gain_to, float* out) noexcept;
+
+  double lowest_gain() const noexcept { return limiter_.lowest_gain(); }
+
+ private:
+  void place(const Buses& buses, double (*x)[kChunk]) const noexcept;
+
+  int booms_, channels_;
+  float ceiling_;
+  struct BoomGains {
+    std::array<double, kMaxChannels> drill{}, tool{};
+  };
+  std::array<BoomGains, kMaxBooms> boom_{};
+  std::array<double, kMaxChannels> background_{};
+  std::vector<dsp::Biquad> equaliser_;  ///< bands of channel 0, then of channel 1, ...
+  int bands_;
+  Limiter limiter_;
+};
+
+}  // namespace rigsound::mix

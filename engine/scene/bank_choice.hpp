@@ -1,0 +1,13 @@
+// Which bank of the sound set fits a situation, a rod count and a rock best.
+#pragma once
+
+#include "rigsound/sound_set.hpp"
+
+namespace rigsound::scene {
+
+/// The use of `situation` whose rock matches (a use for any rock comes second, another rock last) and
+/// whose rod count is nearest (a use for any count ranks as one rod away). Null when the set has none.
+/// Thread: RT.
+const ClickBank* choose_bank(const SoundSet& sounds, Situation situation, int rods, int rock) noexcept;
+
+}  // namespace rigsound::scene

@@ -1,0 +1,26 @@
+// From feed pressure and rattling mode to the drilling situation, with hysteresis.
+#pragma once
+
+#include "rigsound/engine.hpp"
+#include "rigsound/machine_state.hpp"
+#include "rigsound/situation.hpp"
+
+namespace rigsound::scene {
+
+/// Remembers on which side of each threshold the pressure last was. Thread: RT.
+class FeedRule {
+ public:
+  explicit FeedRule(const SceneOptions& options) noexcept : options_(options) {}
+
+  void update(const BoomState& boom) noexcept;
+
+  Situation situation() const noexcept { return situation_; }
+  bool hammering() const noexcept { return hammering_; }
+
+ private:
+  SceneOptions options_;
+  bool in_contact_ = false, under_ = true, over_ = false, hammering_ = false;
+  Situation situation_ = Situation::kUnderfeed;
+};
+
+}  // namespace rigsound::scene
