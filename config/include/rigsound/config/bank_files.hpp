@@ -1,0 +1,44 @@
+// One analysed recording on disk: banks/NAME/bank.json and banks/NAME/clicks.wav.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "rigsound/click_bank.hpp"
+
+namespace rigsound::config {
+
+/// Format version written into bank.json; another one is refused.
+constexpr int kBankFormat = 1;
+
+/// Most clicks one clicks.wav carries: the cue chunk of a WAV file read by libsndfile ends at 2500.
+constexpr int kMaxBankClicks = 2400;
+
+/// Where a bank came from, so that the same recording is not analysed twice and anybody can trace it.
+struct Provenance {
+  std::string source_file;    ///< as the user named it
+  std::string source_sha256;  ///< of the file's bytes, 64 hex digits; empty: not known
+  std::string settings;       ///< every setting that shaped the bank, as `key=value` words
+  std::string tool_version;   ///< of the program that wrote it
+};
+
+struct StoredBank {
+  ClickBank bank;
+  Provenance provenance;
+};
+
+/// Writes SET/banks/NAME, where NAME is `bank.name` (letters, digits, `_ - .`). The folder is whole or
+/// absent; an older one of that name is replaced.
+/// Errors: InputError for a name or a number that the loader would refuse, DeviceError for the disk.
+/// Thread: OFF.
+void save_bank(const std::filesystem::path& sound_set, const ClickBank& bank, const Provenance& provenance);
+
+/// Reads a bank folder (SET/banks/NAME) at the rate it was recorded with, every value checked: finite,
+/// in range, each click between two cue points and of unit norm. Errors: InputError. Thread: OFF.
+StoredBank load_bank(const std::filesystem::path& bank_folder);
+
+/// The same bank at another rate: clicks resampled, times and decays in the new samples.
+/// `sample_rate` in Hz. Thread: OFF.
+ClickBank resampled(const ClickBank& bank, double sample_rate);
+
+}  // namespace rigsound::config

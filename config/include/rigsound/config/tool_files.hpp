@@ -1,0 +1,16 @@
+// A steel on disk: tools/NAME.json.
+#pragma once
+
+#include <filesystem>
+
+#include "rigsound/tool_model.hpp"
+
+namespace rigsound::config {
+
+/// Writes SET/tools/NAME.json, atomically. Errors: InputError, DeviceError. Thread: OFF.
+void save_tool(const std::filesystem::path& sound_set, const ToolModel& tool);
+
+/// Reads SET/tools/NAME.json, every value checked. Errors: InputError. Thread: OFF.
+ToolModel load_tool(const std::filesystem::path& file);
+
+}  // namespace rigsound::config

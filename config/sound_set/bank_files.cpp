@@ -1,0 +1,42 @@
+#include "rigsound/config/bank_files.hpp"
+
+#include <cmath>
+
+#include "rigsound/file/atomic_file.hpp"
+#include "rigsound/file/atomic_folder.hpp"
+#include "rigsound/input_error.hpp"
+#include "sound_set/bank_json.hpp"
+#include "sound_set/clicks_wav.hpp"
+#include "sound_set/names.hpp"
+
+namespace rigsound::config {
+namespace fs = std::filesystem;
+
+void save_bank(const fs::path& sound_set, const ClickBank& bank, const Provenance& provenance) {
+  const fs::path folder = sound_set / "banks" / bank.name;
+  if (!is_name(bank.name))
+    throw InputError(sound_set.string(), 0, bank.name, "is no bank name, " + std::string(kNameRule));
+  if (bank.clicks.empty() || bank.clicks.size() > kMaxBankClicks)
+    throw InputError(
+        folder.string(), 0, "clicks",
+        std::to_string(bank.clicks.size()) + " clicks, expected 1 to " + std::to_string(kMaxBankClicks));
+  AtomicFolder files(folder);
+  write_file(files.temporary() / "bank.json", bank_json(bank, provenance));
+  write_clicks_wav(files.temporary() / "clicks.wav", bank.clicks,
+                   static_cast<int>(std::lround(bank.sample_rate)));
+  load_bank(files.temporary());  // what the loader would refuse is refused before it is in place
+  files.commit();
+}
+
+StoredBank load_bank(const fs::path& bank_folder) {
+  std::error_code error;
+  if (!fs::is_directory(bank_folder, error))
+    throw InputError(bank_folder.string(), "is no bank folder, expected one with bank.json and clicks.wav");
+  const fs::path json = bank_folder / "bank.json";
+  StoredBank stored = read_bank_json(json);
+  stored.bank.name = bank_folder.filename().string();
+  stored.bank.clicks = read_clicks_wav(bank_folder / "clicks.wav", static_cast<int>(stored.bank.sample_rate));
+  return stored;
+}
+
+}  // namespace rigsound::config

@@ -1,0 +1,37 @@
+#include "sound_set/index_text.hpp"
+
+#include "text/number_text.hpp"
+
+namespace rigsound::config {
+
+std::string_view index_preamble() {
+  return R"(# What this sound set plays, and when. Written by rigsound, meant to be edited: rigsound only ever adds
+# entries at the end and leaves everything else as it finds it.
+#
+# [[bank]] says that a bank of clicks serves a drilling situation:
+#   name       folder under banks/
+#   situation  normal, underfeed, overfeed, closed_rattling or open_rattling; all five must be served
+#   rods       rod count it was recorded with, 1...20; 0 serves any count
+#   rock       name of a [[rock]] below; "" serves any rock
+#   gain_db    trim against the other banks, -60...24 dB
+# A bank may serve several situations: give it one [[bank]] each. Of several that fit, the nearest in
+# rods and rock is played.
+#
+# [[rock]] names a rock. The machine signal `rock` counts them from 0 in this order.
+# [[tool]] is a steel, tools/NAME.json. [[background]] is a diesel, backgrounds/NAME.
+
+format = 1
+)";
+}
+
+std::string index_bank_text(const BankEntry& entry) {
+  return "\n[[bank]]\nname = \"" + entry.name + "\"\nsituation = \"" + std::string(name(entry.situation)) +
+         "\"\nrods = " + std::to_string(entry.rods) + "\nrock = \"" + entry.rock +
+         "\"\ngain_db = " + number_text(entry.gain_db) + "\n";
+}
+
+std::string index_name_text(std::string_view kind, std::string_view name) {
+  return "\n[[" + std::string(kind) + "]]\nname = \"" + std::string(name) + "\"\n";
+}
+
+}  // namespace rigsound::config

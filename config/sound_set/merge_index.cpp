@@ -1,0 +1,66 @@
+#include <algorithm>
+
+#include "rigsound/config/sound_set_index.hpp"
+#include "rigsound/device_error.hpp"
+#include "rigsound/file/atomic_file.hpp"
+#include "rigsound/input_error.hpp"
+#include "sound_set/index_text.hpp"
+#include "sound_set/names.hpp"
+#include "text/read_text.hpp"
+
+namespace rigsound::config {
+namespace fs = std::filesystem;
+
+namespace {
+
+void require_name(const fs::path& file, std::string_view kind, const std::string& name) {
+  if (!is_name(name))
+    throw InputError(file.string(), 0, kind, "\"" + name + "\" is no name, " + std::string(kNameRule));
+}
+
+std::string new_names(const fs::path& file, std::string_view kind, const std::vector<std::string>& known,
+                      const std::vector<std::string>& wanted) {
+  std::string text;
+  for (const std::string& name : wanted) {
+    require_name(file, kind, name);
+    if (std::find(known.begin(), known.end(), name) == known.end()) text += index_name_text(kind, name);
+  }
+  return text;
+}
+
+bool lists(const SoundSetIndex& index, const BankEntry& wanted) {
+  return std::any_of(index.banks.begin(), index.banks.end(), [&](const BankEntry& entry) {
+    return entry.name == wanted.name && entry.situation == wanted.situation;
+  });
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw DeviceError(folder.string() + ": cannot be made: " + error.message());
+}
+
+}  // namespace
+
+void merge_index(const fs::path& sound_set, const SoundSetIndex& additions) {
+  const fs::path file = sound_set / "soundset.toml";
+  std::error_code error;
+  const bool exists = fs::exists(file, error);
+  const SoundSetIndex index = exists ? load_index(sound_set) : SoundSetIndex{};
+
+  std::string added = new_names(file, "rock", index.rocks, additions.rocks) +
+                      new_names(file, "tool", index.tools, additions.tools) +
+                      new_names(file, "background", index.backgrounds, additions.backgrounds);
+  for (const BankEntry& entry : additions.banks) {
+    require_name(file, "bank", entry.name);
+    if (!lists(index, entry)) added += index_bank_text(entry);
+  }
+  if (exists && added.empty()) return;
+
+  make_folder(sound_set);
+  std::string text = exists ? read_text(file) : std::string(index_preamble());
+  if (!text.empty() && text.back() != '\n') text += '\n';
+  write_file(file, text + added);
+}
+
+}  // namespace rigsound::config

@@ -1,0 +1,74 @@
+#include "rigsound/config/sound_set_index.hpp"
+
+#include <algorithm>
+
+#include "rigsound/input_error.hpp"
+#include "sound_set/index_text.hpp"
+#include "sound_set/names.hpp"
+#include "toml/toml_table.hpp"
+
+namespace rigsound::config {
+namespace {
+
+constexpr int kIndexFormat = 1;
+
+constexpr Word<Situation> kSituationWords[] = {{"normal", Situation::kNormal},
+                                               {"underfeed", Situation::kUnderfeed},
+                                               {"overfeed", Situation::kOverfeed},
+                                               {"closed_rattling", Situation::kClosedRattling},
+                                               {"open_rattling", Situation::kOpenRattling}};
+
+std::string read_name(TomlTable& table) {
+  const std::string name = table.required_text("name", "the name of its file or folder");
+  if (!is_name(name)) table.fail("name", "\"" + name + "\" is no name, " + std::string(kNameRule));
+  return name;
+}
+
+BankEntry read_bank(TomlTable& table, const std::vector<std::string>& rocks) {
+  BankEntry entry;
+  entry.line = table.line_of("name");
+  entry.name = read_name(table);
+  table.required_text("situation", "one of normal, underfeed, overfeed, closed_rattling, open_rattling");
+  entry.situation = table.word("situation", Situation::kNormal, kSituationWords);
+  entry.rods = table.integer("rods", 0, 0, 20);
+  entry.rock = table.text("rock", "");
+  entry.gain_db = table.number("gain_db", 0, -60, 24);
+  if (!entry.rock.empty() && std::find(rocks.begin(), rocks.end(), entry.rock) == rocks.end())
+    table.fail("rock", "\"" + entry.rock + "\" is not named by any [[rock]] of this file");
+  table.refuse_unknown();
+  return entry;
+}
+
+std::vector<std::string> read_names(TomlTable& root, std::string_view key) {
+  std::vector<std::string> names;
+  for (TomlTable& table : root.tables(key)) {
+    const std::string name = read_name(table);
+    if (std::find(names.begin(), names.end(), name) != names.end())
+      table.fail("name", "\"" + name + "\" is listed twice");
+    names.push_back(name);
+    table.refuse_unknown();
+  }
+  return names;
+}
+
+}  // namespace
+
+SoundSetIndex load_index(const std::filesystem::path& sound_set) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(sound_set, error))
+    throw InputError(sound_set.string(), "is no sound set, expected a folder with soundset.toml");
+  TomlTable root = TomlTable::read(sound_set / "soundset.toml");
+  const int format = root.integer("format", 0, 0, 1 << 20);
+  if (format != kIndexFormat)
+    root.fail("format", "version " + std::to_string(format) + " is not known, expected " +
+                            std::to_string(kIndexFormat));
+  SoundSetIndex index;
+  index.rocks = read_names(root, "rock");
+  index.tools = read_names(root, "tool");
+  index.backgrounds = read_names(root, "background");
+  for (TomlTable& table : root.tables("bank")) index.banks.push_back(read_bank(table, index.rocks));
+  root.refuse_unknown();
+  return index;
+}
+
+}  // namespace rigsound::config

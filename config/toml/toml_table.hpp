@@ -1,0 +1,76 @@
+// One table of a TOML file, read key by key; what nobody asked for is refused.
+#pragma once
+
+#include <toml++/toml.h>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rigsound::config {
+
+/// A word of a TOML file and the value it stands for.
+template <class E>
+using Word = std::pair<std::string_view, E>;
+
+/// Every getter marks its key as known, gives `otherwise` when the key is absent and throws InputError
+/// `FILE:LINE: KEY: what is wrong, what was expected` when the value is of another type or out of range.
+class TomlTable {
+ public:
+  /// Parses a whole file. Errors: InputError with the line of the mistake.
+  static TomlTable read(const std::filesystem::path& file);
+
+  bool has(std::string_view key) const { return table_->contains(key); }
+  double number(std::string_view key, double otherwise, double min, double max);
+  int integer(std::string_view key, int otherwise, int min, int max);
+  bool flag(std::string_view key, bool otherwise);
+  std::string text(std::string_view key, std::string_view otherwise);
+  std::string required_text(std::string_view key, std::string_view expected);
+  std::vector<std::string> texts(std::string_view key);
+
+  template <class E, std::size_t N>
+  E word(std::string_view key, E otherwise, const Word<E> (&words)[N]) {
+    if (!has(key)) return known(key), otherwise;
+    const std::string given = text(key, {});
+    std::string list;
+    for (const Word<E>& w : words) {
+      if (w.first == given) return w.second;
+      list.append(list.empty() ? "" : ", ").append(w.first);
+    }
+    fail(key, "\"" + given + "\" is not known, expected one of " + list);
+  }
+
+  /// [key] as a table; an empty one when it is absent.
+  TomlTable table(std::string_view key);
+  /// [[key]], one table an entry; a single [key] counts as one entry.
+  std::vector<TomlTable> tables(std::string_view key);
+
+  /// Every key of this table in the order of the file.
+  std::vector<std::string> keys() const;
+  bool is_table(std::string_view key) const;
+
+  /// Throws InputError for the first key that no getter asked for, with the nearest one that exists.
+  void refuse_unknown() const;
+
+  [[noreturn]] void fail(std::string_view key, std::string_view message) const;
+  const std::string& file() const { return *file_; }
+  std::string path_of(std::string_view key) const;
+  int line_of(std::string_view key) const;  ///< of the table itself when there is no such key
+
+ private:
+  TomlTable(std::shared_ptr<const std::string> file, std::shared_ptr<const toml::table> table,
+            std::string path);
+  const toml::node* known(std::string_view key);
+
+  std::shared_ptr<const std::string> file_;
+  std::shared_ptr<const toml::table> table_;  ///< kept alive by the root
+  std::string path_;
+  std::set<std::string, std::less<>> known_;
+};
+
+}  // namespace rigsound::config

@@ -1,0 +1,28 @@
+// A folder that is either whole or not there: filled under a temporary name, then renamed.
+#pragma once
+
+#include <filesystem>
+
+namespace rigsound {
+
+/// Makes a temporary folder beside `target`, and the parents of both. Unless commit() was called the
+/// temporary is removed on destruction and `target` stays as it was.
+/// Errors: DeviceError when the folder cannot be written. Thread: OFF, CT.
+class AtomicFolder {
+ public:
+  explicit AtomicFolder(std::filesystem::path target);
+  ~AtomicFolder();
+  AtomicFolder(const AtomicFolder&) = delete;
+  AtomicFolder& operator=(const AtomicFolder&) = delete;
+
+  /// Where to write the files.
+  const std::filesystem::path& temporary() const { return temporary_; }
+
+  /// Flushes every file to disk and puts the folder in place of the target, old content and all.
+  void commit();
+
+ private:
+  std::filesystem::path target_, temporary_;
+};
+
+}  // namespace rigsound

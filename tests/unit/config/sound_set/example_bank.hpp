@@ -1,0 +1,46 @@
+// A bank with known clicks: damped sines of one length each.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "rigsound/click_bank.hpp"
+
+namespace rigsound::test {
+
+inline std::vector<float> damped_sine(double frequency_hz, double decay_s, double rate, int length) {
+  std::vector<float> x(static_cast<std::size_t>(length));
+  double energy = 0;
+  for (int i = 0; i < length; ++i) {
+    const double t = i / rate, attack = 1 - std::exp(-t / 0.0015);
+    const double v =
+        attack * std::exp(-t / decay_s) * std::sin(2 * 3.14159265358979323846 * frequency_hz * t);
+    x[static_cast<std::size_t>(i)] = static_cast<float>(v);
+    energy += v * v;
+  }
+  for (float& v : x) v = static_cast<float>(v / std::sqrt(energy));
+  return x;
+}
+
+inline ClickBank example_bank(const std::string& name, double rate = 48000, int clicks = 5) {
+  ClickBank bank;
+  bank.name = name;
+  bank.sample_rate = rate;
+  bank.T_0 = rate / 30.0;
+  bank.sigma_T = bank.T_0 / 17.0;
+  bank.r_T = -0.31;
+  bank.p_miss = 0.01;
+  bank.p_double = 0.02;
+  bank.B = 0.1 + 1.0 / 3.0;
+  bank.sigma_B = 0.07;
+  bank.r_B = 0.2;
+  bank.N_a = 0.001 * rate;
+  bank.alpha_a = 60 / rate;
+  bank.alpha_d = 200 / rate;
+  bank.gain_db = -2.5;
+  for (int i = 0; i < clicks; ++i)
+    bank.clicks.push_back(damped_sine(900 + 200 * i, 0.005, rate, static_cast<int>(0.03 * rate) + i));
+  return bank;
+}
+
+}  // namespace rigsound::test

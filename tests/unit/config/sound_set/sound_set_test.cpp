@@ -1,0 +1,111 @@
+#include "rigsound/config/sound_set_files.hpp"
+
+#include <doctest/doctest.h>
+
+#include "config/sound_set/example_bank.hpp"
+#include "rigsound/config/background_files.hpp"
+#include "rigsound/config/bank_files.hpp"
+#include "rigsound/config/sound_set_index.hpp"
+#include "rigsound/config/tool_files.hpp"
+#include "rigsound/input_error.hpp"
+#include "temporary_folder.hpp"
+
+using namespace rigsound;
+using namespace rigsound::test;
+
+namespace {
+
+config::SoundSetIndex five_situations(const std::string& bank) {
+  config::SoundSetIndex index;
+  for (int s = 0; s < kSituationCount; ++s) {
+    config::BankEntry entry;
+    entry.name = bank;
+    entry.situation = static_cast<Situation>(s);
+    index.banks.push_back(entry);
+  }
+  return index;
+}
+
+}  // namespace
+
+TEST_CASE("a merged index keeps comments and hand edits and adds only what is new") {
+  TemporaryFolder set;
+  config::merge_index(set.path, five_situations("a"));
+  const std::filesystem::path file = set.path / "soundset.toml";
+  std::string text = content(file);
+  text.replace(text.find("gain_db = 0"), 11, "gain_db = -3.5  # too loud in the cabin");
+  std::ofstream(file, std::ios::binary) << text;
+
+  config::SoundSetIndex more = five_situations("a");
+  config::merge_index(set.path, more);
+  CHECK(content(file) == text);
+
+  more = {};
+  more.rocks = {"granite"};
+  more.banks.push_back({"b", Situation::kOverfeed, 3, "granite", 1.25, 0});
+  config::merge_index(set.path, more);
+  CHECK(content(file).substr(0, text.size()) == text);
+  const config::SoundSetIndex index = config::load_index(set.path);
+  REQUIRE(index.banks.size() == 6);
+  CHECK(index.banks[0].gain_db == -3.5);
+  CHECK(index.banks[5].rods == 3);
+  CHECK(index.banks[5].rock == "granite");
+  CHECK(index.banks[5].gain_db == 1.25);
+}
+
+TEST_CASE("a sound set loads at the engine's rate, each bank once, its trims added") {
+  TemporaryFolder set;
+  config::save_bank(set.path, example_bank("a", 44100), {});
+  config::save_bank(set.path, example_bank("b", 48000), {});
+  config::SoundSetIndex index = five_situations("a");
+  index.rocks = {"granite", "limestone"};
+  index.banks.push_back({"b", Situation::kNormal, 2, "limestone", -4, 0});
+  ToolModel tool;
+  tool.name = "hex25";
+  tool.length_m = 0.45;
+  config::save_tool(set.path, tool);
+  BackgroundModel diesel;
+  diesel.name = "diesel";
+  diesel.order_amplitude = {0.1F, 0.02F};
+  config::save_background(set.path, diesel);
+  index.tools = {"hex25"};
+  index.backgrounds = {"diesel"};
+  config::merge_index(set.path, index);
+
+  const SoundSet loaded = config::load_sound_set(set.path, 48000);
+  REQUIRE(loaded.banks.size() == 2);
+  CHECK(loaded.banks[0].sample_rate == 48000);
+  CHECK(loaded.banks[0].T_0 == doctest::Approx(1600));
+  CHECK(loaded.banks[1].gain_db == -6.5);
+  REQUIRE(loaded.uses.size() == 6);
+  CHECK(loaded.uses[4].situation == Situation::kOpenRattling);
+  CHECK(loaded.uses[4].bank == 0);
+  CHECK(loaded.uses[5].bank == 1);
+  CHECK(loaded.uses[5].rods == 2);
+  CHECK(loaded.uses[5].rock == 1);
+  CHECK(loaded.rocks == std::vector<std::string>{"granite", "limestone"});
+  REQUIRE(loaded.tools.size() == 1);
+  CHECK(loaded.tools[0].length_m == 0.45);
+  REQUIRE(loaded.backgrounds.size() == 1);
+  CHECK(loaded.backgrounds[0].order_amplitude == diesel.order_amplitude);
+}
+
+TEST_CASE("a sound set that cannot be played says what is wrong and where") {
+  TemporaryFolder set;
+  const std::string file = (set.path / "soundset.toml").string();
+  const auto load = [&] { config::load_sound_set(set.path, 48000); };
+  CHECK(complaint(load) == file + ": cannot be opened, expected a readable file");
+  config::merge_index(set.path, five_situations("missing"));
+  CHECK(complaint(load).find(":19: bank.name: there is no folder ") != std::string::npos);
+  set.write("soundset.toml", "format = 1\n[[bank]]\nname = \"a\"\nsituation = \"normal\"\n");
+  CHECK(complaint(load).find("no bank serves the situation underfeed") != std::string::npos);
+  set.write("soundset.toml", "format = 1\n[[bank]]\nname = \"a\"\nsituaton = \"normal\"\n");
+  CHECK(complaint(load).find(":2: bank.situation: is missing") != std::string::npos);
+  set.write("soundset.toml", "format = 1\n[[bank]]\nname = \"a\"\nsituation = \"norml\"\n");
+  CHECK(complaint(load).find(":4: bank.situation: \"norml\" is not known, expected one of normal,") !=
+        std::string::npos);
+  set.write("soundset.toml", "format = 1\n[[bank]]\nname = \"a\"\nsituation = \"normal\"\nrod = 2\n");
+  CHECK(complaint(load) == file + ":5: bank.rod: is not known here, did you mean 'rods'?");
+  set.write("soundset.toml", "format = 1\n[[bank]\n");
+  CHECK(complaint(load).rfind(file + ":2: ", 0) == 0);
+}
