@@ -1,4 +1,4 @@
-// `rigsound`: one command, many verbs. Exit codes: 0 done, 1 wrong input, 2 wrong usage, 3 the machine failed.
+// `rigsound`: one command, many verbs. Exit codes: 0 done, 1 wrong input, 2 wrong usage, 3 machine failed.
 #include <cstdio>
 #include <exception>
 
@@ -11,15 +11,14 @@ using namespace rigsound;
 namespace {
 
 constexpr tools::AddVerb kVerbs[] = {
-    nullptr,
+    tools::add_simulate,
 };
 
 int run(int argc, char** argv) {
   CLI::App app("The sound of a percussive drilling rig, from recordings and a fieldbus.", "rigsound");
   app.require_subcommand(1);
   app.set_version_flag("--version", RIGSOUND_VERSION);
-  for (const tools::AddVerb add : kVerbs)
-    if (add) add(app);
+  for (const tools::AddVerb add : kVerbs) add(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -7,4 +7,6 @@ namespace rigsound::tools {
 
 using AddVerb = void (*)(CLI::App& app);
 
+void add_simulate(CLI::App& app);
+
 }  // namespace rigsound::tools

@@ -1,0 +1,31 @@
+// Recordings that come with their truth: for the demo, the tests, and those who have no recordings yet.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rigsound::analysis {
+
+/// Writes one recording per situation into `folder`: NAME.wav, NAME.txt (Audacity labels), and under truth/
+/// the clean sound, the background, NAME_truth.csv (time_s,amplitude,kind), NAME_envelope.csv and
+/// NAME_parameters.csv; under engine/ the diesel alone from idle to top speed with its r/min. Returns one
+/// line per recording. Errors: DeviceError when the folder cannot be written. Thread: OFF.
+std::vector<std::string> write_situations(const std::filesystem::path& folder, std::uint64_t seed,
+                                          double seconds);
+
+struct DrillBenchRequest {
+  std::vector<int> ids;
+  std::vector<std::string> snr_db;  ///< as written: they name the files
+  double seconds = 2;
+  double rate_factor = 1;  ///< strikes this much closer together
+};
+
+/// Writes cNNN_clean.wav, cNNN_bg.wav, cNNN_SNR.wav and cNNN_truth.csv for every id. Returns one line per
+/// clip. Errors: InputError for an id or a ratio that does not exist, DeviceError for the folder. Thread:
+/// OFF.
+std::vector<std::string> write_drillbench(const std::filesystem::path& folder,
+                                          const DrillBenchRequest& request);
+
+}  // namespace rigsound::analysis

@@ -1,0 +1,108 @@
+#include "rigsound/analysis/simulate.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/wave_file.hpp"
+#include "rigsound/device_error.hpp"
+#include "rigsound/input_error.hpp"
+#include "simulate/drillbench_clip.hpp"
+#include "simulate/truth_files.hpp"
+
+namespace rigsound::analysis {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kRate = static_cast<int>(kAnalysisRate);
+constexpr double kBenchGain = 0.05;  // RMS 1 would clip: one gain for all, ratios stay
+constexpr double kSweepSeconds = 30;
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw DeviceError(folder.string() + ": cannot be made: " + error.message());
+}
+
+std::vector<double> mixed(const std::vector<double>& a, const std::vector<double>& b, double gain_b,
+                          double gain) {
+  std::vector<double> sum(a.size());
+  for (std::size_t n = 0; n < a.size(); ++n) sum[n] = gain * (a[n] + gain_b * b[n]);
+  return sum;
+}
+
+std::vector<double> scaled(std::vector<double> x, double gain) {
+  for (double& v : x) v *= gain;
+  return x;
+}
+
+double number(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    throw InputError("--snr", "'" + text + "' is not a ratio, expected decibels such as -6,0,6,12");
+  return value;
+}
+
+std::string write_situation(const fs::path& folder, const SituationRecording& r) {
+  const std::string stem(name(r.situation));
+  const fs::path truth = folder / "truth";
+  write_wave(truth / (stem + "_clean.wav"), r.clean, kRate);
+  write_wave(truth / (stem + "_background.wav"), r.background, kRate);
+  write_clicks_csv(truth / (stem + "_truth.csv"), r.clicks);
+  ClickVoice voice;
+  voice.envelope = r.envelope;
+  write_envelope_csv(truth / (stem + "_envelope.csv"), r.envelope, voice.length());
+  write_parameters_csv(truth / (stem + "_parameters.csv"), r);
+  write_labels(folder / (stem + ".txt"), r);
+  write_wave(folder / (stem + ".wav"), mixed(r.clean, r.background, 1, 1), kRate);
+  return fmt::format("{}.wav parts={} clicks={} rate_hz={:.2f} rpm={:.0f}", stem, r.parts.size(),
+                     r.clicks.size(), r.rate_hz, r.rpm);
+}
+
+}  // namespace
+
+std::vector<std::string> write_situations(const fs::path& folder, std::uint64_t seed, double seconds) {
+  make_folder(folder / "truth");
+  make_folder(folder / "engine");
+  std::vector<std::string> lines;
+  for (int i = 0; i < kSituationCount; ++i)
+    lines.push_back(write_situation(folder, simulate_situation(static_cast<Situation>(i), seed, seconds)));
+  std::vector<double> rpm;
+  write_wave(folder / "engine" / "sweep.wav", simulate_engine_sweep(seed, kSweepSeconds, rpm), kRate);
+  write_rpm_csv(folder / "engine" / "sweep_rpm.csv", rpm);
+  lines.push_back(fmt::format("engine/sweep.wav rpm={:.0f}..{:.0f}", rpm.front(), rpm.back()));
+  return lines;
+}
+
+std::vector<std::string> write_drillbench(const fs::path& folder, const DrillBenchRequest& request) {
+  std::vector<double> ratios;
+  for (const std::string& text : request.snr_db) ratios.push_back(number(text));
+  for (const int id : request.ids)
+    if (!drillbench_id(id))
+      throw InputError("--ids",
+                       fmt::format("clip {} does not exist, expected the last two digits to be 00-31", id));
+  make_folder(folder);
+  std::vector<std::string> lines;
+  for (const int id : request.ids) {
+    const DrillBenchClip clip = drillbench_clip(id, request.seconds, request.rate_factor);
+    const std::vector<double> background = drillbench_background(id, request.seconds);
+    const fs::path stem = folder / fmt::format("c{:03}", id);
+    const auto file = [&](const std::string& what) { return fs::path(stem.string() + "_" + what); };
+    write_wave(file("clean.wav"), scaled(clip.clean, kBenchGain), kRate);
+    write_wave(file("bg.wav"), scaled(background, kBenchGain), kRate);
+    for (std::size_t i = 0; i < ratios.size(); ++i)
+      write_wave(file(request.snr_db[i] + ".wav"),
+                 mixed(clip.clean, background, std::pow(10, -ratios[i] / 20), kBenchGain), kRate);
+    write_clicks_csv(file("truth.csv"), clip.clicks);
+    lines.push_back(fmt::format("c{:03} clicks={} T_0={:.2f} N_a={:.0f} alpha_a={:.6g} alpha_d={:.6g}", id,
+                                clip.clicks.size(), clip.T0, clip.envelope.N_a, clip.envelope.alpha_a,
+                                clip.envelope.alpha_d));
+  }
+  return lines;
+}
+
+}  // namespace rigsound::analysis

@@ -1,0 +1,22 @@
+// How the one simulated machine differs between situations.
+#pragma once
+
+#include "rigsound/situation.hpp"
+#include "simulate/click_voice.hpp"
+
+namespace rigsound::analysis {
+
+struct SituationRecipe {
+  double rate_low_hz, rate_high_hz;  ///< the rate of a recording is drawn between these
+  ClickProcess process;              ///< F0 is set when a recording is made
+  double N_a, bend;                  ///< attack in samples, alpha_a N_a
+  double decay_db;                   ///< per period
+  BiquadCascade colour;
+  bool modal;
+  double level_db;  ///< RMS against normal drilling
+  double rpm;       ///< r/min of the diesel
+};
+
+SituationRecipe recipe(Situation situation);
+
+}  // namespace rigsound::analysis

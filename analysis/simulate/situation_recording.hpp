@@ -1,0 +1,35 @@
+// Simulated recordings of the five drilling situations of one machine.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "rigsound/situation.hpp"
+#include "simulate/click_voice.hpp"
+
+namespace rigsound::analysis {
+
+/// A stretch of drilling inside a recording, s.
+struct SimulatedPart {
+  double start, end;
+};
+
+struct SituationRecording {
+  Situation situation;
+  double rate_hz = 0;  ///< strikes a second
+  double rpm = 0;      ///< r/min of the diesel in the middle of the recording
+  ClickProcess process;
+  ClickEnvelope envelope;
+  std::vector<SimulatedPart> parts;
+  std::vector<SimulatedClick> clicks;     ///< of all parts, ascending
+  std::vector<double> clean, background;  ///< 48 kHz, full scale = 1; the recording is their sum
+};
+
+/// The machine is always the same: colours, modes and engine orders do not depend on `seed`; strikes, noises
+/// and the exact rate do. `seconds` >= 4. Thread: OFF.
+SituationRecording simulate_situation(Situation situation, std::uint64_t seed, double seconds);
+
+/// The diesel and hydraulics alone, speeding up from idle; `rpm` gets the speed at every sample.
+std::vector<double> simulate_engine_sweep(std::uint64_t seed, double seconds, std::vector<double>& rpm);
+
+}  // namespace rigsound::analysis
