@@ -4,15 +4,9 @@
 #include <cstdint>
 
 #include "dsp/elementary.hpp"
+#include "rigsound/mix64.hpp"
 
 namespace rigsound::dsp {
-
-/// The finaliser of SplitMix64 (Steele, Lea, Flood 2014).
-constexpr std::uint64_t mix64(std::uint64_t z) noexcept {
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-  return z ^ (z >> 31);
-}
 
 /// One independent stream of random numbers. Plain value, no hidden state. Thread: RT.
 class RandomField {

@@ -1,0 +1,208 @@
+// Every error a card can answer with: each block reaches the card once and in order, whatever happened.
+#include "rigsound/audio/alsa_sink.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cerrno>
+#include <numeric>
+
+#include "drivers/audio/fake_card.hpp"
+#include "rigsound/device_error.hpp"
+
+using namespace rigsound;
+using namespace rigsound::audio;
+
+namespace {
+
+constexpr int kBlock = 64, kPeriods = 3;
+
+struct Rig {
+  explicit Rig(bool present = true) {
+    card.present = present;
+    options.block = kBlock;
+    options.periods = kPeriods;
+    options.channels = 1;
+    const auto open = [this](const AudioOptions& o) -> std::unique_ptr<Pcm> {
+      ++opens;
+      if (!card.present) throw DeviceError("sound card: no such device");
+      return std::make_unique<FakePcm>(card, o);
+    };
+    sink = std::make_unique<AlsaSink>(options, open, clock);
+  }
+
+  /// Plays `count` blocks of a ramp 1, 2, 3, ... that never is silent.
+  void play(int count) {
+    for (int i = 0; i < count; ++i, ++number) {
+      std::vector<float> block(kBlock);
+      std::iota(block.begin(), block.end(), static_cast<float>(number * kBlock + 1));
+      sink->write(block.data(), number);
+    }
+  }
+
+  /// What was heard without the silence of starts, and that silence.
+  std::vector<float> ramp() const {
+    std::vector<float> kept;
+    for (const float x : card.heard)
+      if (x != 0) kept.push_back(x);
+    return kept;
+  }
+  std::size_t silence() const { return card.heard.size() - ramp().size(); }
+  std::uint64_t events(CardEvent e) const { return sink->status().events[static_cast<std::size_t>(e)]; }
+
+  FakeCard card;
+  FakeClock clock;
+  AudioOptions options;
+  std::unique_ptr<AlsaSink> sink;
+  std::uint64_t number = 0;
+  int opens = 0;
+};
+
+std::vector<float> ramp(int blocks) {
+  std::vector<float> wanted(static_cast<std::size_t>(blocks * kBlock));
+  std::iota(wanted.begin(), wanted.end(), 1.0F);
+  return wanted;
+}
+
+constexpr std::size_t kPrefill = (kPeriods - 1) * kBlock;
+constexpr int kFirstBlockWrite = kPeriods - 1;  // index of the write call that carries block 0
+
+}  // namespace
+
+TEST_CASE("A start fills all but one period with silence, then plays every block") {
+  Rig rig;
+  rig.play(10);
+  CHECK(rig.ramp() == ramp(10));
+  CHECK(rig.silence() == kPrefill);
+  CHECK(rig.clock.sleeps == 0);
+}
+
+TEST_CASE("Errors the stream recovers from keep every sample and its order") {
+  struct Case {
+    long error;
+    CardEvent event;
+    int prepares;
+    std::size_t silence;
+  };
+  for (const Case& c :
+       {Case{-EPIPE, CardEvent::kXrun, 2, 2 * kPrefill}, Case{-EBADFD, CardEvent::kBadState, 2, 2 * kPrefill},
+        Case{-ESTRPIPE, CardEvent::kSuspend, 1, kPrefill}, Case{-EINTR, CardEvent::kInterrupted, 1, kPrefill},
+        Case{17, CardEvent::kShortWrite, 1, kPrefill}}) {
+    CAPTURE(c.error);
+    Rig rig;
+    rig.card.at[kFirstBlockWrite + 3] = c.error;
+    rig.play(10);
+    CHECK(rig.ramp() == ramp(10));
+    CHECK(rig.silence() == c.silence);
+    CHECK(rig.events(c.event) == 1);
+    CHECK(rig.card.prepares == c.prepares);
+    CHECK(rig.events(CardEvent::kLost) == 0);
+    CHECK(rig.sink->status().playing);
+  }
+}
+
+TEST_CASE("An xrun in the middle of a block plays the rest of it") {
+  Rig rig;
+  rig.card.at[kFirstBlockWrite + 3] = 20;
+  rig.card.at[kFirstBlockWrite + 4] = -EPIPE;
+  rig.play(10);
+  CHECK(rig.ramp() == ramp(10));
+  CHECK(rig.events(CardEvent::kXrun) == 1);
+}
+
+TEST_CASE("A suspended card is resumed once; when it cannot, the stream is prepared") {
+  Rig rig;
+  rig.card.resume_answer = -ENOSYS;
+  rig.card.at[kFirstBlockWrite + 3] = -ESTRPIPE;
+  rig.play(10);
+  CHECK(rig.card.resumes == 1);
+  CHECK(rig.card.prepares == 2);
+  CHECK(rig.ramp() == ramp(10));
+}
+
+TEST_CASE("A full buffer is waited for, an error of the wait is handled like one of the write") {
+  Rig rig;
+  rig.card.at[kFirstBlockWrite + 3] = -EAGAIN;
+  rig.play(5);
+  CHECK(rig.card.waits == 1);
+  CHECK(rig.ramp() == ramp(5));
+
+  Rig broken;
+  broken.card.at[kFirstBlockWrite + 3] = -EAGAIN;
+  broken.card.wait_answer = -EPIPE;
+  broken.play(5);
+  CHECK(broken.events(CardEvent::kXrun) == 1);
+  CHECK(broken.ramp() == ramp(5));
+}
+
+TEST_CASE("A card that is gone is given up; blocks keep their pace; the card is found again") {
+  for (const long error : {-ENODEV, -ENOTTY, -EIO}) {
+    CAPTURE(error);
+    Rig rig;
+    rig.card.at[kFirstBlockWrite + 3] = error;
+    rig.card.present = true;
+    rig.play(4);
+    CHECK(rig.events(CardEvent::kLost) == 1);
+    CHECK_FALSE(rig.sink->status().playing);
+
+    rig.card.present = false;
+    const std::int64_t before = rig.clock.now;
+    rig.clock.now += 200'000'000;
+    rig.sink->tend();
+    CHECK(rig.card.open_streams == 0);
+    rig.play(750);
+    CHECK(rig.clock.now - before == doctest::Approx(750.0 * kBlock / 48000 * 1e9).epsilon(0.01));
+
+    rig.card.present = true;
+    rig.clock.now += 6'000'000'000;
+    rig.sink->tend();
+    rig.card.heard.clear();
+    const std::uint64_t first = rig.number;
+    rig.play(5);
+    CHECK(rig.ramp().size() == 5 * kBlock);
+    CHECK(rig.ramp().front() == static_cast<float>(first * kBlock + 1));
+    CHECK(rig.silence() == kPrefill);
+  }
+}
+
+TEST_CASE("A card whose clock has stopped is given up instead of stopping the engine's") {
+  Rig rig;
+  rig.card.at[kFirstBlockWrite + 3] = -EAGAIN;
+  rig.card.wait_answer = 0;
+  rig.play(4);
+  CHECK(rig.events(CardEvent::kLost) == 1);
+}
+
+TEST_CASE("An error that never ends does not hold the audio thread") {
+  Rig rig;
+  for (int k = kFirstBlockWrite + 1; k < 10000; ++k) rig.card.at[k] = -EPIPE;
+  rig.play(2);
+  CHECK(rig.events(CardEvent::kLost) == 1);
+  CHECK(rig.card.writes < 100);
+}
+
+TEST_CASE("A card that cannot be prepared is given up and closed before it is opened again") {
+  Rig rig;
+  rig.card.prepare_answer = -ENODEV;
+  rig.play(1);
+  CHECK(rig.events(CardEvent::kLost) == 1);
+  CHECK(rig.card.open_streams == 1);
+  rig.card.present = false;
+  rig.clock.now += 200'000'000;
+  rig.sink->tend();
+  CHECK(rig.card.open_streams == 0);
+}
+
+TEST_CASE("A missing card is looked for with pauses from 0.1 s doubling to 5 s") {
+  Rig rig(false);
+  CHECK(rig.opens == 1);
+  for (const std::int64_t pause_ms : {100, 200, 400, 800, 1600, 3200, 5000, 5000}) {
+    const int before = rig.opens;
+    rig.clock.now += (pause_ms - 1) * 1'000'000;
+    rig.sink->tend();
+    CHECK(rig.opens == before);
+    rig.clock.now += 1'000'000;
+    rig.sink->tend();
+    CHECK(rig.opens == before + 1);
+  }
+  CHECK(rig.sink->status().description == "sound card: no such device");
+}
