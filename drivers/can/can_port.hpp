@@ -1,0 +1,33 @@
+// What a CAN bus asks of the kernel, so that every loss can be injected.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "rigsound/can/can_bus.hpp"
+
+namespace rigsound::can {
+
+/// One open, bound socket.
+class CanLink {
+ public:
+  virtual ~CanLink() = default;
+  /// Waits for frames and fetches up to `capacity`. Returns how many, 0 when the time is up, or a
+  /// negative errno value.
+  virtual int receive(Arrival* out, std::size_t capacity, int timeout_ms) = 0;
+  virtual std::uint64_t dropped() const = 0;  ///< by the kernel, on this socket
+};
+
+class CanPort {
+ public:
+  virtual ~CanPort() = default;
+  /// Throws DeviceError saying which interface it is and in what state.
+  virtual std::unique_ptr<CanLink> open(const CanBusOptions& options) = 0;
+  /// Returns when a network link changed, at the latest after `timeout_ms`.
+  virtual void wait_for_change(int timeout_ms) = 0;
+};
+
+std::unique_ptr<CanPort> kernel_can_port();
+
+}  // namespace rigsound::can

@@ -1,0 +1,168 @@
+// SocketCAN: CAN_RAW sockets for the frames, a netlink socket for the comings and goings of interfaces.
+#include <linux/can/error.h>
+#include <linux/can/raw.h>
+#include <linux/netlink.h>
+#include <linux/rtnetlink.h>
+#include <net/if.h>
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <thread>
+
+#include "can/can_port.hpp"
+#include "can/kernel_filter.hpp"
+#include "can/kernel_frame.hpp"
+#include "rigsound/device_error.hpp"
+#include "rigsound/file/file_descriptor.hpp"
+
+namespace rigsound::can {
+namespace {
+
+constexpr int kReceiveBuffer = 4 << 20;  // bytes: a second of a fully loaded FD bus
+
+[[noreturn]] void fail(const std::string& interface, const std::string& what) {
+  throw DeviceError("CAN interface " + interface + " " + what);
+}
+
+void set(int fd, int level, int name, const void* value, socklen_t size, const CanBusOptions& options) {
+  if (::setsockopt(fd, level, name, value, size) != 0)
+    fail(options.interface, std::string("refuses a socket option: ") + std::strerror(errno));
+}
+
+void set_on(int fd, int level, int name, const CanBusOptions& options) {
+  const int on = 1;
+  set(fd, level, name, &on, sizeof on, options);
+}
+
+// An interface that is down can be bound all the same; saying so here gives the user the mend.
+int index_of_running(int fd, const std::string& interface) {
+  ifreq request{};
+  interface.copy(request.ifr_name, IFNAMSIZ - 1);
+  if (::ioctl(fd, SIOCGIFINDEX, &request) != 0) fail(interface, "does not exist");
+  const int index = request.ifr_ifindex;
+  if (::ioctl(fd, SIOCGIFFLAGS, &request) != 0) fail(interface, "does not exist");
+  if ((request.ifr_flags & IFF_UP) == 0) fail(interface, "is down: `ip link set " + interface + " up`");
+  return index;
+}
+
+void set_filters(int fd, const CanBusOptions& options) {
+  const can_err_mask_t errors = CAN_ERR_BUSOFF | CAN_ERR_RESTARTED | CAN_ERR_CRTL;
+  set(fd, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, &errors, sizeof errors, options);
+  if (options.everything) return;
+  const std::vector<can_filter> filters = kernel_filters(options.wanted);
+  set(fd, SOL_CAN_RAW, CAN_RAW_FILTER, filters.data(),
+      static_cast<socklen_t>(filters.size() * sizeof(can_filter)), options);
+}
+
+class KernelCanLink : public CanLink {
+ public:
+  explicit KernelCanLink(const CanBusOptions& options)
+      : fd_(::socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC, CAN_RAW)) {
+    if (!fd_)
+      fail(options.interface, std::string("cannot be used, no SocketCAN here: ") + std::strerror(errno));
+    const int index = index_of_running(fd_.get(), options.interface);
+    set_filters(fd_.get(), options);
+    if (options.fd) set_on(fd_.get(), SOL_CAN_RAW, CAN_RAW_FD_FRAMES, options);
+    set_on(fd_.get(), SOL_SOCKET, SO_TIMESTAMPNS, options);
+    set_on(fd_.get(), SOL_SOCKET, SO_RXQ_OVFL, options);
+    if (::setsockopt(fd_.get(), SOL_SOCKET, SO_RCVBUFFORCE, &kReceiveBuffer, sizeof kReceiveBuffer) != 0)
+      set(fd_.get(), SOL_SOCKET, SO_RCVBUF, &kReceiveBuffer, sizeof kReceiveBuffer, options);
+    sockaddr_can address{};
+    address.can_family = AF_CAN;
+    address.can_ifindex = index;
+    if (::bind(fd_.get(), reinterpret_cast<sockaddr*>(&address), sizeof address) != 0)
+      fail(options.interface, std::string("cannot be bound: ") + std::strerror(errno));
+    for (std::size_t i = 0; i < kMessages; ++i) {
+      parts_[i] = {&raw_[i], sizeof raw_[i]};
+      messages_[i].msg_hdr.msg_iov = &parts_[i];
+      messages_[i].msg_hdr.msg_iovlen = 1;
+    }
+  }
+
+  int receive(Arrival* out, std::size_t capacity, int timeout_ms) override {
+    pollfd poll{fd_.get(), POLLIN, 0};
+    const int ready = ::poll(&poll, 1, timeout_ms);
+    if (ready <= 0) return ready == 0 || errno == EINTR ? 0 : -errno;
+    const std::size_t count = std::min(capacity, kMessages);
+    for (std::size_t i = 0; i < count; ++i) {
+      messages_[i].msg_hdr.msg_control = control_[i].data();
+      messages_[i].msg_hdr.msg_controllen = control_[i].size();
+    }
+    const int got =
+        ::recvmmsg(fd_.get(), messages_.data(), static_cast<unsigned>(count), MSG_DONTWAIT, nullptr);
+    if (got < 0) return errno == EAGAIN || errno == EINTR ? 0 : -errno;
+    for (int i = 0; i < got; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      out[i].frame = from_kernel(raw_[k], messages_[k].msg_len);
+      out[i].realtime_s = read_control(messages_[k].msg_hdr);
+    }
+    return got;
+  }
+
+  std::uint64_t dropped() const override { return dropped_; }
+
+ private:
+  static constexpr std::size_t kMessages = 64;
+
+  double read_control(msghdr& header) {
+    double realtime_s = 0;
+    for (cmsghdr* c = CMSG_FIRSTHDR(&header); c != nullptr; c = CMSG_NXTHDR(&header, c)) {
+      if (c->cmsg_level != SOL_SOCKET) continue;
+      if (c->cmsg_type == SO_TIMESTAMPNS) {
+        timespec t{};
+        std::memcpy(&t, CMSG_DATA(c), sizeof t);
+        realtime_s = static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+      } else if (c->cmsg_type == SO_RXQ_OVFL) {
+        std::uint32_t total = 0;
+        std::memcpy(&total, CMSG_DATA(c), sizeof total);
+        dropped_ += total - static_cast<std::uint32_t>(dropped_);  // the kernel counts in 32 bits
+      }
+    }
+    return realtime_s;
+  }
+
+  FileDescriptor fd_;
+  std::uint64_t dropped_ = 0;
+  std::array<canfd_frame, kMessages> raw_{};
+  std::array<iovec, kMessages> parts_{};
+  std::array<std::array<unsigned char, 128>, kMessages> control_{};
+  std::array<mmsghdr, kMessages> messages_{};
+};
+
+class KernelCanPort : public CanPort {
+ public:
+  KernelCanPort() : links_(::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, NETLINK_ROUTE)) {
+    sockaddr_nl address{};
+    address.nl_family = AF_NETLINK;
+    address.nl_groups = RTMGRP_LINK;
+    if (links_ && ::bind(links_.get(), reinterpret_cast<sockaddr*>(&address), sizeof address) != 0)
+      links_.reset();
+  }
+
+  std::unique_ptr<CanLink> open(const CanBusOptions& options) override {
+    return std::make_unique<KernelCanLink>(options);
+  }
+
+  // Without netlink (a sandbox may forbid it) the pauses alone find the interface. A poll of fd -1 just
+  // waits.
+  void wait_for_change(int timeout_ms) override {
+    pollfd poll{links_.get(), POLLIN, 0};
+    if (::poll(&poll, 1, timeout_ms) <= 0) return;
+    std::array<char, 8192> discarded{};
+    while (::recv(links_.get(), discarded.data(), discarded.size(), MSG_DONTWAIT) > 0) {
+    }
+  }
+
+ private:
+  FileDescriptor links_;
+};
+
+}  // namespace
+
+std::unique_ptr<CanPort> kernel_can_port() { return std::make_unique<KernelCanPort>(); }
+
+}  // namespace rigsound::can
