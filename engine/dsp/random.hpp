@@ -8,6 +8,8 @@
 
 namespace rigsound::dsp {
 
+using rigsound::mix64;
+
 /// One independent stream of random numbers. Plain value, no hidden state. Thread: RT.
 class RandomField {
  public:
