@@ -25,9 +25,11 @@ void ClickVoice::start(const ClickBank& bank, const std::vector<float>& click, i
   if (!reshaped_) return;
   was_ = AttackDecay(bank.N_a, bank.alpha_a, bank.alpha_d);
   wanted_ = AttackDecay(bank.N_a * attack, bank.alpha_a / attack, bank.alpha_d * decay);
-  ratio_ = 1;
-  // Both envelopes are 0 at their first sample; their ratio there is that of their slopes.
-  if (bank.N_a > 0) was_.next(), wanted_.next();
+  // Both envelopes are 0 at their first sample; their ratio there is taken from the second.
+  AttackDecay was = was_, wanted = wanted_;
+  was.next(), wanted.next();
+  const double second = was.next();
+  ratio_ = second > kSilence ? std::min(wanted.next() / second, kMaxReshape) : 1;
 }
 
 void ClickVoice::add_to(double* bus) noexcept {

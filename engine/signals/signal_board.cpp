@@ -47,27 +47,29 @@ void SignalBoard::invalidate(SignalId id, Validity why) {
   if (r.validity != Validity::kNeverSeen) r.validity = why;
 }
 
-SignalBoard::Reading SignalBoard::reading(SignalId id, double now_s) const {
-  Reading r = cell(id).reading;
-  const double limit = options_.rule[static_cast<std::size_t>(id.signal)].stale_after_s;
+SignalBoard::Reading SignalBoard::reading_of(const Cell& c, Signal s, double now_s) const {
+  Reading r = c.reading;
+  const double limit = options_.rule[static_cast<std::size_t>(s)].stale_after_s;
   if (r.validity == Validity::kValid && limit > 0 && now_s - r.seen_s > limit) r.validity = Validity::kStale;
   return r;
 }
 
-void SignalBoard::settle(Signal s, Cell& c, double now_s, double share, bool& mute) {
+SignalBoard::Reading SignalBoard::reading(SignalId id, double now_s) const {
+  return reading_of(cell(id), id.signal, now_s);
+}
+
+void SignalBoard::settle(Signal s, Cell& c, double now_s, double step, bool& mute) {
   const SafetyRule& rule = options_.rule[static_cast<std::size_t>(s)];
-  Reading& r = c.reading;
-  if (r.validity == Validity::kNeverSeen) return;
-  if (r.validity == Validity::kValid && rule.stale_after_s > 0 && now_s - r.seen_s > rule.stale_after_s)
-    r.validity = Validity::kStale;
-  if (r.validity == Validity::kValid) {
-    c.shown = r.value;
-    return;
-  }
-  mute = mute || rule.action == SafetyAction::kMute;
-  const double rest = rest_value(s, rule.action, r.value);
-  const double span = std::fabs(r.value - rest);
-  c.shown = info(s).stepped ? rest : step_towards(c.shown, rest, span * share);
+  if (c.reading.validity == Validity::kNeverSeen) return;
+  c.reading = reading_of(c, s, now_s);
+  const bool good = c.reading.validity == Validity::kValid;
+  mute = mute || (!good && rule.action == SafetyAction::kMute);
+  c.distrust = step_towards(c.distrust, good ? 0.0 : 1.0, step);
+  const double rest = rest_value(s, rule.action, c.reading.value);
+  if (info(s).stepped)
+    c.shown = good ? c.reading.value : rest;
+  else
+    c.shown = c.reading.value + (rest - c.reading.value) * c.distrust;
 }
 
 MachineState SignalBoard::resolve(double now_s) {

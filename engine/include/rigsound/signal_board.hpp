@@ -33,15 +33,13 @@ class SignalBoard {
   /// recorded as invalid (kOutOfRange) and the last good value stays. Returns the validity recorded.
   Validity update(SignalId id, double value, double time_s);
 
-  /// The bus said something that is no value (error code, not available, bus down).
+  /// The bus said something that is no value (error code, not available), or is down. A signal that was
+  /// never seen stays so; a later update() heals any other.
   void invalidate(SignalId id, Validity why);
 
-  /// Every signal that has ever been valid becomes kBusDown; a later update() heals it.
-  void bus_down(SignalId id) { invalidate(id, Validity::kBusDown); }
-
   struct Reading {
-    double value = 0;      ///< last good value
-    double seen_s = 0;     ///< when it was last good
+    double value = 0;   ///< last good value
+    double seen_s = 0;  ///< when it was last good
     Validity validity = Validity::kNeverSeen;
   };
   /// The reading as of `now_s`: a valid one older than its rule allows is kStale.
@@ -56,10 +54,12 @@ class SignalBoard {
  private:
   struct Cell {
     Reading reading;
-    double shown = 0;  ///< resolved value
+    double shown = 0;     ///< resolved value
+    double distrust = 0;  ///< 0: the reading stands, 1: the safety rule does; moves over fade_s
   };
   const Cell& cell(SignalId id) const;
   Cell& cell(SignalId id);
+  Reading reading_of(const Cell& c, Signal s, double now_s) const;
   void settle(Signal s, Cell& c, double now_s, double step, bool& mute);
 
   SafetyOptions options_;

@@ -1,0 +1,134 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+#include "drill/attack_decay.hpp"
+#include "drill/click_player.hpp"
+#include "rigsound/bank_player.hpp"
+#include "sounds/synthetic_sounds.hpp"
+
+using namespace rigsound;
+
+TEST_CASE("the envelope is eq. 5 and 6 of the drilling paper") {
+  const double N_a = 40, alpha_d = 0.003;
+  for (const double alpha_a : {0.0, 0.05, -0.04}) {
+    drill::AttackDecay envelope(N_a, alpha_a, alpha_d);
+    for (int n = 0; n < 400; ++n) {
+      const double rise = alpha_a == 0 ? n / N_a : std::expm1(-alpha_a * n) / std::expm1(-alpha_a * N_a);
+      const double expected = n <= N_a ? rise : std::exp(-(n - N_a) * alpha_d);
+      REQUIRE(envelope.next() == doctest::Approx(expected).epsilon(1e-12));
+    }
+  }
+}
+
+namespace {
+
+ClickBank flat_bank(double N_a, double alpha_d) {
+  ClickBank bank;
+  bank.T_0 = 4800, bank.B = 2, bank.N_a = N_a, bank.alpha_d = alpha_d;
+  std::vector<float> click;
+  drill::AttackDecay envelope(N_a, 0, alpha_d);
+  for (int n = 0; n < 2000; ++n) click.push_back(static_cast<float>(envelope.next()));
+  bank.clicks = {click};
+  return bank;
+}
+
+std::vector<double> one_strike(const ClickBank& bank, double onset, const DrillControls& controls) {
+  drill::ClickPlayer player(1, 0, 0);
+  player.strike(bank, {onset, 1.5, 0}, controls);
+  std::vector<double> out(3200, 0.0);
+  for (std::size_t n = 0; n < out.size(); n += kChunk) player.add_to(&out[n]);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a click sounds at its rounded onset with amplitude B times the blow's") {
+  const ClickBank bank = flat_bank(0, 0.002);
+  for (const double onset : {0.0, 3.4, 31.7}) {
+    const std::vector<double> out = one_strike(bank, onset, {});
+    const auto start = static_cast<std::size_t>(std::floor(onset + 0.5));
+    for (std::size_t n = 0; n < start; ++n) CHECK(out[n] == 0);
+    CHECK(out[start] == doctest::Approx(3.0 * static_cast<double>(bank.clicks[0][0])));
+    CHECK(out[start + 500] == doctest::Approx(3.0 * static_cast<double>(bank.clicks[0][500])));
+    CHECK(out[start + 2000] == 0);
+  }
+}
+
+TEST_CASE("attack and decay factors turn a click into one with the wanted envelope") {
+  const ClickBank bank = flat_bank(50, 0.002);
+  DrillControls controls;
+  controls.attack_factor = 2, controls.decay_factor = 3;
+  const std::vector<double> out = one_strike(bank, 0, controls);
+  drill::AttackDecay wanted(100, 0, 0.006);
+  for (int n = 0; n < 1500; ++n) {
+    const double expected = 3.0 * wanted.next();
+    // the bank's samples are floats
+    REQUIRE(out[static_cast<std::size_t>(n)] == doctest::Approx(expected).epsilon(1e-5).scale(1e-3));
+  }
+}
+
+TEST_CASE("the same click never comes twice in a row, and all come") {
+  ClickBank bank = flat_bank(0, 0.002);
+  bank.clicks.clear();
+  for (int i = 1; i <= 4; ++i) bank.clicks.push_back({static_cast<float>(i)});
+  drill::ClickPlayer player(9, 0, 0);
+  double last = 0;
+  std::set<double> heard;
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    player.strike(bank, {0, 1, i}, {});
+    double out[kChunk] = {};
+    player.add_to(out);
+    REQUIRE(out[0] != last);
+    last = out[0];
+    heard.insert(last);
+  }
+  CHECK(heard.size() == 4);
+}
+
+TEST_CASE("clicks beyond the last voice are counted, not stacked") {
+  const ClickBank bank = flat_bank(0, 0.002);
+  drill::ClickPlayer player(9, 0, 0);
+  for (std::uint64_t i = 0; i < kMaxVoices + 5; ++i) player.strike(bank, {0, 1, i}, {});
+  CHECK(player.lost() == 5);
+}
+
+TEST_CASE("a bank plays at its own mean rate and level, and at the rate it is asked for") {
+  const SoundSet sounds = tests::synthetic_sounds();
+  const ClickBank& bank = sounds.banks[0];
+  for (const float rate : {0.0f, 20.0f, 60.0f}) {
+    BankPlayer player(bank, 5);
+    DrillControls controls;
+    controls.mean_frequency_hz = rate;
+    int count = 0;
+    double energy = 0;
+    constexpr int kChunks = 48000 * 60 / kChunk;
+    for (int i = 0; i < kChunks; ++i) {
+      double out[kChunk];
+      player.process(controls, out);
+      count += player.impact_count();
+      for (const double x : out) energy += x * x;
+    }
+    const double own = 48000 / bank.T_0;
+    const double wanted = rate > 0 ? static_cast<double>(rate) : own;
+    const double per_gap = 1 + bank.p_miss;  // a missed strike doubles its gap
+    CHECK(count / 60.0 == doctest::Approx(wanted / per_gap).epsilon(0.02));
+    // independent clicks of unit norm: energy adds up as rate x E{B^2}
+    const double expected = count * (bank.B * bank.B + bank.sigma_B * bank.sigma_B);
+    CHECK(energy == doctest::Approx(expected).epsilon(0.05));
+  }
+}
+
+TEST_CASE("an unusable bank is refused by name when the player is built") {
+  ClickBank bank = flat_bank(0, 0.002);
+  bank.T_0 = 0;
+  CHECK_THROWS_WITH_AS(BankPlayer(bank, 1), doctest::Contains("T0"), std::invalid_argument);
+  bank = flat_bank(0, 0.002);
+  bank.clicks[0][7] = std::nanf("");
+  CHECK_THROWS_AS(BankPlayer(bank, 1), std::invalid_argument);
+  bank.clicks.clear();
+  CHECK_THROWS_WITH_AS(BankPlayer(bank, 1), doctest::Contains("no clicks"), std::invalid_argument);
+}

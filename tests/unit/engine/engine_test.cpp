@@ -1,0 +1,136 @@
+#include "rigsound/engine.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+#include <vector>
+
+#include "engine/allocation_guard.hpp"
+#include "sounds/synthetic_sounds.hpp"
+
+using namespace rigsound;
+
+namespace {
+
+/// `seconds` of the drilled hole; the state changes only where `grid` frames divide.
+std::vector<float> render(const EngineOptions& options, double seconds, int grid) {
+  Engine engine(options, tests::synthetic_sounds(options.sample_rate));
+  std::vector<float> pcm;
+  std::vector<float> block(static_cast<std::size_t>(options.block * options.channels));
+  for (int frame = 0; frame < seconds * options.sample_rate; frame += options.block) {
+    const int held = frame - frame % grid;
+    engine.process(tests::drilled_hole(held / options.sample_rate + 7), block.data());
+    pcm.insert(pcm.end(), block.begin(), block.end());
+  }
+  return pcm;
+}
+
+bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
+}
+
+}  // namespace
+
+TEST_CASE("same state, same sounds, same seed: same bits; another seed: others") {
+  EngineOptions options = tests::full_options();
+  const auto first = render(options, 4, 64);
+  CHECK(same_bits(first, render(options, 4, 64)));
+  options.seed += 1;
+  CHECK_FALSE(same_bits(first, render(options, 4, 64)));
+}
+
+TEST_CASE("the block size does not matter while states change on the same frames") {
+  const auto reference = render(tests::full_options(64), 12, 256);
+  CHECK(same_bits(reference, render(tests::full_options(128), 12, 256)));
+  CHECK(same_bits(reference, render(tests::full_options(256), 12, 256)));
+  CHECK(same_bits(reference, render(tests::full_options(32), 12, 256)));
+}
+
+TEST_CASE("process never allocates, whatever the state") {
+  const EngineOptions options = tests::full_options();
+  Engine engine(options, tests::synthetic_sounds());
+  std::vector<float> block(static_cast<std::size_t>(options.block * options.channels));
+  const long before = tests::allocations();
+  for (int i = 0; i < 45000; ++i) engine.process(tests::drilled_hole(i * 64 / 48000.0), block.data());
+  CHECK(tests::allocations() == before);
+  CHECK(before > 0);  // the hook is in place: building the engine was counted
+}
+
+TEST_CASE("no state makes a sample exceed the ceiling or be anything but a number") {
+  EngineOptions options = tests::full_options();
+  options.mix.drill_db = 24;
+  options.mix.ceiling_dbfs = -3;
+  Engine engine(options, tests::synthetic_sounds());
+  std::vector<float> block(static_cast<std::size_t>(options.block * options.channels));
+  const float ceiling = std::pow(10.0f, -3 / 20.0f) * 1.000001f;
+  for (int i = 0; i < 20000; ++i) {
+    MachineState state = tests::drilled_hole(i * 64 / 48000.0);
+    if (i % 7 == 0) state.engine_rpm = NAN;
+    if (i % 11 == 0) state.boom[0].feed_pressure_bar = -INFINITY;
+    state.boom[0].controls.mean_amplitude_db = 500;
+    engine.process(state, block.data());
+    for (const float x : block) REQUIRE(std::fabs(x) <= ceiling);
+  }
+  CHECK(engine.meters().limiter_gain <= 1);
+}
+
+TEST_CASE("a muted rig falls silent, fully, and comes back") {
+  const EngineOptions options = tests::full_options();
+  Engine engine(options, tests::synthetic_sounds());
+  std::vector<float> block(static_cast<std::size_t>(options.block * options.channels));
+  MachineState state = tests::drilled_hole(20);
+  const auto run = [&](double seconds) {
+    for (int i = 0; i < seconds * 750; ++i) engine.process(state, block.data());
+    return engine.meters().peak;
+  };
+  CHECK(run(1) > 0.01f);
+  state.safety_gain = 0;
+  CHECK(run(1) == 0);
+  state.safety_gain = 1;
+  CHECK(run(1) > 0.01f);
+}
+
+TEST_CASE("the tool rings on the very sample of the click") {
+  SoundSet sounds = tests::synthetic_sounds();
+  EngineOptions options;
+  options.booms = {{"boom", 0, 0, 0}};
+  sounds.backgrounds.clear();
+  MachineState state;
+  state.boom[0].feed_pressure_bar = 90;
+  const auto first_sound = [&](double drill_db, double tool_db) {
+    options.mix.drill_db = drill_db, options.mix.tool_db = tool_db;
+    Engine engine(options, sounds);
+    std::vector<float> block(128);
+    for (int frame = 0; frame < 48000; frame += 64) {
+      engine.process(state, block.data());
+      for (std::size_t n = 0; n < 64; ++n)
+        if (std::fabs(block[2 * n]) > 1e-6f) return frame + static_cast<int>(n);
+    }
+    return -1;
+  };
+  const int click = first_sound(0, -60);
+  const int ring = first_sound(-60, 24);
+  CHECK(click >= 0);
+  CHECK(std::abs(click - ring) <= 2);
+}
+
+TEST_CASE("options and sound sets that cannot work are refused by name") {
+  const SoundSet sounds = tests::synthetic_sounds();
+  const auto refused = [&sounds](auto change, const char* word) {
+    EngineOptions options = tests::full_options();
+    SoundSet set = sounds;
+    change(options, set);
+    CHECK_THROWS_WITH_AS(Engine(options, set), doctest::Contains(word), std::invalid_argument);
+  };
+  refused([](auto& o, auto&) { o.sample_rate = 0; }, "rate");
+  refused([](auto& o, auto&) { o.block = 48; }, "block");
+  refused([](auto& o, auto&) { o.channels = 9; }, "channels");
+  refused([](auto& o, auto&) { o.booms.clear(); }, "booms");
+  refused([](auto& o, auto&) { o.booms[0].tool = 3; }, "tool");
+  refused([](auto& o, auto&) { o.scene.overfeed_bar = 10; }, "overfeed_bar");
+  refused([](auto& o, auto&) { o.mix.ceiling_dbfs = 3; }, "ceiling_dbfs");
+  refused([](auto&, auto& s) { s.uses.erase(s.uses.begin()); }, "normal");
+  refused([](auto&, auto& s) { s.banks[2].sample_rate = 44100; }, "rate");
+}

@@ -1,0 +1,124 @@
+#include "impact/impact_train.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+using namespace rigsound;
+
+namespace {
+
+struct Blow {
+  double time, amplitude;
+};
+
+std::vector<Blow> blows(const impact::Statistics& s, double seconds, std::uint64_t seed = 3) {
+  impact::ImpactTrain train(seed, 0);
+  std::vector<Blow> list;
+  for (double start = 0; start < seconds * 48000; start += kChunk) {
+    train.process(s);
+    for (int i = 0; i < train.count(); ++i)
+      list.push_back({start + train.begin()[i].onset, train.begin()[i].amplitude});
+  }
+  return list;
+}
+
+struct Series {
+  double mean = 0, sd = 0, lag1 = 0;
+};
+
+Series describe(const std::vector<double>& x) {
+  Series r;
+  for (const double v : x) r.mean += v / static_cast<double>(x.size());
+  double lag = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    r.sd += (x[i] - r.mean) * (x[i] - r.mean);
+    if (i > 0) lag += (x[i] - r.mean) * (x[i - 1] - r.mean);
+  }
+  r.lag1 = lag / r.sd;
+  r.sd = std::sqrt(r.sd / static_cast<double>(x.size()));
+  return r;
+}
+
+std::vector<double> gaps(const std::vector<Blow>& list) {
+  std::vector<double> g;
+  for (std::size_t i = 1; i < list.size(); ++i) g.push_back(list[i].time - list[i - 1].time);
+  return g;
+}
+
+}  // namespace
+
+TEST_CASE("gaps and amplitudes have the mean, deviation and lag-1 correlation asked for") {
+  impact::Statistics s;
+  s.T_0 = 1300.7, s.cv_T = 0.08, s.r_T = -0.4, s.cv_B = 0.25, s.r_B = 0.5;
+  const std::vector<Blow> list = blows(s, 600);
+  const Series gap = describe(gaps(list));
+  CHECK(gap.mean == doctest::Approx(1300.7).epsilon(0.002));
+  CHECK(gap.sd == doctest::Approx(0.08 * 1300.7).epsilon(0.03));
+  CHECK(gap.lag1 == doctest::Approx(-0.4).epsilon(0.08));
+  std::vector<double> amplitudes;
+  for (const Blow& b : list) amplitudes.push_back(b.amplitude);
+  const Series amplitude = describe(amplitudes);
+  CHECK(amplitude.mean == doctest::Approx(1).epsilon(0.01));
+  CHECK(amplitude.sd == doctest::Approx(0.25).epsilon(0.04));
+  // a lognormal of an AR(1) series is correlated a little less than the series itself
+  CHECK(amplitude.lag1 == doctest::Approx(0.5).epsilon(0.08));
+}
+
+TEST_CASE("a metronome keeps its period exactly, sample fractions included") {
+  impact::Statistics s;
+  s.T_0 = 1234.5678;
+  const std::vector<Blow> list = blows(s, 20);
+  CHECK(list.front().time == 0);
+  for (std::size_t i = 0; i < list.size(); ++i)
+    REQUIRE(list[i].time == doctest::Approx(1234.5678 * static_cast<double>(i)).epsilon(1e-9));
+}
+
+TEST_CASE("missed and doubled strikes come in their shares") {
+  impact::Statistics s;
+  s.T_0 = 1000, s.cv_T = 0.02, s.p_miss = 0.12, s.p_double = 0.05;
+  const std::vector<double> g = gaps(blows(s, 400));
+  double missed = 0, doubled = 0;
+  for (const double gap : g) missed += gap > 1600, doubled += gap < 700;
+  const auto count = static_cast<double>(g.size());
+  CHECK(missed / count == doctest::Approx(0.12).epsilon(0.08));
+  CHECK(doubled / count == doctest::Approx(0.05).epsilon(0.12));
+}
+
+TEST_CASE("a rate change acts on the gap that is running") {
+  impact::Statistics slow, fast;
+  slow.T_0 = 9600, fast.T_0 = 600;
+  impact::ImpactTrain train(1, 0);
+  train.process(slow);
+  REQUIRE(train.count() == 1);
+  int chunks = 0;
+  do train.process(fast), ++chunks;
+  while (train.count() == 0 && chunks < 1000);
+  CHECK(chunks * kChunk <= 600 + kChunk);
+}
+
+TEST_CASE("at rest nothing strikes, and the first blow after it comes at once") {
+  impact::Statistics s;
+  s.T_0 = 1000;
+  impact::ImpactTrain train(1, 0);
+  for (int i = 0; i < 10; ++i) train.process(s);
+  train.process({});
+  CHECK(train.count() == 0);
+  train.process(s);
+  CHECK(train.count() == 1);
+  CHECK(train.begin()[0].onset == 0);
+}
+
+TEST_CASE("two booms, or two seeds, do not strike alike") {
+  impact::Statistics s;
+  s.T_0 = 1000, s.cv_T = 0.1;
+  CHECK(gaps(blows(s, 1, 3))[0] != gaps(blows(s, 1, 4))[0]);
+  impact::ImpactTrain a(3, 0), b(3, 1);
+  a.process(s), b.process(s);
+  CHECK(a.begin()[0].amplitude == b.begin()[0].amplitude);  // no scatter asked for: both are the mean
+  s.cv_B = 0.2;
+  impact::ImpactTrain c(3, 0), d(3, 1);
+  c.process(s), d.process(s);
+  CHECK(c.begin()[0].amplitude != d.begin()[0].amplitude);
+}

@@ -1,0 +1,72 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "dsp/biquad.hpp"
+#include "dsp/random.hpp"
+#include "mix/limiter.hpp"
+#include "mix/mixer.hpp"
+
+using namespace rigsound;
+
+TEST_CASE("the peaking equaliser has its gain at its frequency and none far away") {
+  const auto gain_db = [](double hz) {
+    dsp::Biquad filter(dsp::peaking(1000, 6, 2, 48000));
+    double in = 0, out = 0;
+    for (int n = 0; n < 48000; ++n) {
+      const double x = std::sin(2 * dsp::kPi * hz * n / 48000);
+      const double y = filter.process(x);
+      if (n > 24000) in += x * x, out += y * y;
+    }
+    return 10 * std::log10(out / in);
+  };
+  CHECK(gain_db(1000) == doctest::Approx(6).epsilon(0.001));
+  CHECK(std::fabs(gain_db(50)) < 0.1);
+  CHECK(std::fabs(gain_db(15000)) < 0.1);
+}
+
+TEST_CASE("the limiter never passes its ceiling and leaves quiet sound alone, bit for bit") {
+  mix::Limiter limiter(0.5, 2, 48000);
+  const dsp::RandomField random(3, 9);
+  for (std::uint64_t chunk = 0; chunk < 2000; ++chunk) {
+    const double level = chunk < 500 ? 0.1 : chunk < 1000 ? 3.0 : 0.1;
+    double x[2][kChunk], before[2][kChunk];
+    for (std::uint64_t c = 0; c < 2; ++c)
+      for (std::uint64_t n = 0; n < kChunk; ++n)
+        before[c][n] = x[c][n] = level * (2 * random.uniform(chunk * kChunk + n, c) - 1);
+    limiter.process(x);
+    for (int c = 0; c < 2; ++c)
+      for (int n = 0; n < kChunk; ++n) {
+        REQUIRE(std::fabs(x[c][n]) <= 0.5 * (1 + 1e-12));
+        if (chunk < 500) REQUIRE(x[c][n] == before[c][n]);
+      }
+  }
+  CHECK(limiter.lowest_gain() > 0.95);
+}
+
+TEST_CASE("the limiter turns what is not finite into silence") {
+  mix::Limiter limiter(0.9, 1, 48000);
+  double x[1][kChunk] = {};
+  x[0][3] = NAN, x[0][9] = INFINITY, x[0][20] = 0.25;
+  limiter.process(x);
+  CHECK(x[0][3] == 0);
+  CHECK(x[0][9] == 0);
+  CHECK(x[0][20] == 0.25);
+}
+
+TEST_CASE("pan keeps the power and reaches both ends") {
+  for (const double pan : {-1.0, -0.3, 0.0, 0.7, 1.0}) {
+    EngineOptions options;
+    options.booms = {{"boom", pan, 0, -1}};
+    mix::Mixer mixer(options);
+    mix::Buses buses{};
+    for (double& x : buses.drill[0]) x = 0.5;
+    float out[kChunk * 2];
+    mixer.process(buses, 1, 1, out);
+    const double left = static_cast<double>(out[10]), right = static_cast<double>(out[11]);
+    CHECK(left * left + right * right == doctest::Approx(0.25).epsilon(1e-6));
+    if (pan == -1) CHECK(right == doctest::Approx(0).scale(1));
+    if (pan == 1) CHECK(left == doctest::Approx(0).scale(1));
+  }
+}

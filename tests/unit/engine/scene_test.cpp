@@ -1,0 +1,128 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "scene/bank_choice.hpp"
+#include "scene/boom_scene.hpp"
+#include "scene/feed_rule.hpp"
+#include "scene/state_guard.hpp"
+#include "sounds/synthetic_sounds.hpp"
+
+using namespace rigsound;
+
+namespace {
+
+BoomState fed(double bar, Rattling rattling = Rattling::kNone) {
+  BoomState state;
+  state.feed_pressure_bar = static_cast<float>(bar);
+  state.rattling = rattling;
+  return state;
+}
+
+}  // namespace
+
+TEST_CASE("feed pressure decides the situation, with hysteresis around each threshold") {
+  SceneOptions options;  // underfeed below 60, overfeed above 120, band 6
+  scene::FeedRule rule(options);
+  const auto at = [&rule](double bar) {
+    rule.update(fed(bar));
+    return rule.situation();
+  };
+  CHECK(at(30) == Situation::kUnderfeed);
+  CHECK(at(62) == Situation::kUnderfeed);
+  CHECK(at(64) == Situation::kNormal);
+  CHECK(at(58) == Situation::kNormal);
+  CHECK(at(56) == Situation::kUnderfeed);
+  CHECK(at(122) == Situation::kNormal);
+  CHECK(at(124) == Situation::kOverfeed);
+  CHECK(at(118) == Situation::kOverfeed);
+  CHECK(at(116) == Situation::kNormal);
+}
+
+TEST_CASE("percussion follows contact and rattling when no bus reports it, and the bus when one does") {
+  scene::FeedRule rule(SceneOptions{});
+  rule.update(fed(5));
+  CHECK_FALSE(rule.hammering());
+  rule.update(fed(30));
+  CHECK(rule.hammering());
+  rule.update(fed(0, Rattling::kClosed));
+  CHECK(rule.hammering());
+  CHECK(rule.situation() == Situation::kClosedRattling);
+  BoomState off = fed(100);
+  off.percussion = Percussion::kOff;
+  rule.update(off);
+  CHECK_FALSE(rule.hammering());
+}
+
+TEST_CASE("the bank with the right rock and the nearest rod count is chosen") {
+  SoundSet sounds;
+  for (int i = 0; i < 5; ++i) sounds.banks.emplace_back();
+  sounds.uses = {{Situation::kNormal, 1, -1, 0},
+                 {Situation::kNormal, 6, -1, 1},
+                 {Situation::kNormal, 1, 2, 2},
+                 {Situation::kNormal, 0, 3, 3},
+                 {Situation::kOverfeed, 0, -1, 4}};
+  const auto chosen = [&sounds](Situation s, int rods, int rock) {
+    const ClickBank* bank = scene::choose_bank(sounds, s, rods, rock);
+    return bank ? static_cast<int>(bank - sounds.banks.data()) : -1;
+  };
+  CHECK(chosen(Situation::kNormal, 2, 0) == 0);
+  CHECK(chosen(Situation::kNormal, 5, 0) == 1);
+  CHECK(chosen(Situation::kNormal, 8, 2) == 2);
+  CHECK(chosen(Situation::kNormal, 8, 3) == 3);
+  CHECK(chosen(Situation::kOverfeed, 8, 3) == 4);
+  CHECK(chosen(Situation::kUnderfeed, 1, 0) == -1);
+}
+
+TEST_CASE("a crossfade has equal power at every chunk and takes crossfade_s") {
+  const SoundSet sounds = tests::synthetic_sounds();
+  const EngineOptions options = tests::full_options();
+  scene::BoomScene boom(options, sounds);
+  boom.latch(fed(90));
+  for (int i = 0; i < 1000; ++i) boom.advance();
+  boom.latch(fed(150));
+  const int chunks = static_cast<int>(std::ceil(options.scene.crossfade_s * options.sample_rate / kChunk));
+  for (int i = 0; i < chunks; ++i) {
+    boom.advance();
+    double power = 0;
+    for (const scene::Slot& slot : boom.slots()) power += slot.gain_to * slot.gain_to;
+    REQUIRE(power == doctest::Approx(1).epsilon(1e-9));
+  }
+  CHECK(boom.slots()[static_cast<std::size_t>(Situation::kOverfeed)].gain_to == doctest::Approx(1));
+  CHECK(boom.slots()[static_cast<std::size_t>(Situation::kNormal)].gain_to == doctest::Approx(0));
+  CHECK(boom.statistics().T_0 == doctest::Approx(sounds.banks[2].T_0));
+}
+
+TEST_CASE("open rattling starts with its burst and settles") {
+  const SoundSet sounds = tests::synthetic_sounds();
+  const EngineOptions options = tests::full_options();
+  scene::BoomScene boom(options, sounds);
+  boom.latch(fed(0, Rattling::kOpen));
+  const auto gain_after = [&](double seconds) {
+    for (int i = 0; i < static_cast<int>(seconds * options.sample_rate / kChunk); ++i) boom.advance();
+    return boom.slots()[static_cast<std::size_t>(Situation::kOpenRattling)].gain_to;
+  };
+  CHECK(gain_after(0.5) == doctest::Approx(1));
+  CHECK(gain_after(1.5) == doctest::Approx(std::pow(10, options.scene.open_sustain_db / 20)).epsilon(0.01));
+  boom.latch(fed(0));
+  gain_after(0.5);
+  boom.latch(fed(0, Rattling::kOpen));
+  CHECK(gain_after(0.5) == doctest::Approx(1));
+}
+
+TEST_CASE("nonsense from outside is brought into range") {
+  MachineState state;
+  state.engine_rpm = std::nanf("");
+  state.safety_gain = std::nanf("");
+  state.master_gain_db = 40;
+  state.boom[0].feed_pressure_bar = 1e30f;
+  state.boom[0].controls.decay_factor = -INFINITY;
+  state.boom[0].controls.mean_frequency_hz = std::nanf("");
+  const MachineState safe = scene::guarded(state);
+  CHECK(safe.engine_rpm == 0);
+  CHECK(safe.safety_gain == 0);
+  CHECK(safe.master_gain_db == 0);
+  CHECK(safe.boom[0].feed_pressure_bar == 300);
+  CHECK(safe.boom[0].controls.decay_factor == 0.25f);
+  CHECK(safe.boom[0].controls.mean_frequency_hz == 0);
+}
