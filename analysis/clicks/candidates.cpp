@@ -1,0 +1,74 @@
+#include "clicks/candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "rigsound/analysis/chain.hpp"
+
+namespace rigsound::analysis {
+namespace {
+
+constexpr double kForward_ms[] = {2, 4}, kBackward_ms[] = {3, 4};
+constexpr double kHeight = 1.5, kDistance_ms = 1;
+constexpr double kPowerFloor = 1e-2;  ///< of the mean: digital silence must not make every ripple a step
+
+long blocks_of(double ms) { return std::max(2L, std::lround(ms * kAnalysisRate / 1000 / kCandidateBlock)); }
+
+}  // namespace
+
+Eigen::ArrayXd block_power(const Eigen::ArrayXd& y, int block) {
+  const long blocks = y.size() / block;
+  return Eigen::Map<const Eigen::ArrayXXd>(y.data(), block, blocks).square().colwise().mean();
+}
+
+double step_statistic(const Eigen::ArrayXd& cumulative, long t, long forward, long backward, int samples) {
+  const long n_f = std::min(forward, cumulative.size() - 1 - t), n_b = std::min(backward, t);
+  if (n_f < 2 || n_b < 2) return 0;
+  const double v_f = (cumulative(t + n_f) - cumulative(t)) / static_cast<double>(n_f);
+  const double v_b = (cumulative(t) - cumulative(t - n_b)) / static_cast<double>(n_b);
+  if (v_f <= v_b) return 0;
+  const double v = (cumulative(t + n_f) - cumulative(t - n_b)) / static_cast<double>(n_f + n_b);
+  const double likelihood = static_cast<double>(n_f) * std::log(v / v_f) +
+                            static_cast<double>(n_b) * std::log(v / std::max(v_b, 1e-9 * v));
+  return std::sqrt(std::max(samples * likelihood, 0.0));
+}
+
+std::vector<int> peaks(const Eigen::ArrayXd& z, double height, int distance) {
+  std::vector<int> found;
+  for (long n = 1; n + 1 < z.size(); ++n)
+    if (z(n) >= height && z(n) > z(n - 1) && z(n) >= z(n + 1)) found.push_back(static_cast<int>(n));
+  std::vector<size_t> highest(found.size());
+  std::iota(highest.begin(), highest.end(), size_t{0});
+  std::stable_sort(highest.begin(), highest.end(),
+                   [&](size_t a, size_t b) { return z(found[a]) > z(found[b]); });
+  std::vector<bool> gone(found.size());
+  for (const size_t i : highest) {
+    if (gone[i]) continue;
+    for (size_t j = i; j-- > 0 && found[i] - found[j] < distance;) gone[j] = true;
+    for (size_t j = i + 1; j < found.size() && found[j] - found[i] < distance; ++j) gone[j] = true;
+  }
+  std::vector<int> kept;
+  for (size_t i = 0; i < found.size(); ++i)
+    if (!gone[i]) kept.push_back(found[i]);
+  return kept;
+}
+
+Candidates find_candidates(const Eigen::ArrayXd& y) {
+  Eigen::ArrayXd power = block_power(y, kCandidateBlock);
+  power += kPowerFloor * power.mean();
+  Eigen::ArrayXd cumulative = Eigen::ArrayXd::Zero(power.size() + 1);
+  std::partial_sum(power.begin(), power.end(), cumulative.begin() + 1);
+  Candidates candidates;
+  candidates.z = Eigen::ArrayXd::Zero(power.size());
+  for (int scale = 0; scale < 2; ++scale)
+    for (long t = 2; t + 2 < power.size(); ++t)
+      candidates.z(t) =
+          std::max(candidates.z(t), step_statistic(cumulative, t, blocks_of(kForward_ms[scale]),
+                                                   blocks_of(kBackward_ms[scale]), kCandidateBlock));
+  candidates.block =
+      peaks(candidates.z, kHeight, static_cast<int>(kDistance_ms * kAnalysisRate / 1000 / kCandidateBlock));
+  return candidates;
+}
+
+}  // namespace rigsound::analysis

@@ -1,0 +1,141 @@
+#include "clicks/click_edit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "clicks/shift_search.hpp"
+
+namespace rigsound::analysis {
+namespace {
+
+// Neighbouring samples of a click are not independent: the modes it excites ring through the whitening. Half
+// of the nominal evidence is what the development clips support.
+constexpr double kIndependentShare = 0.5;
+constexpr double kTooClose = 0.28, kNegligiblePower = 0.01;
+constexpr size_t kFewestClicks = 4;
+constexpr int kAmplitudeSteps = 5;
+constexpr double kNever = 1e8;
+
+double median(const Eigen::ArrayXd& x) {
+  std::vector<double> sorted(x.begin(), x.end());
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 2), sorted.end());
+  return sorted[sorted.size() / 2];
+}
+
+Eigen::ArrayXd variance(const EnvelopePower& shape, const ModelClicks& clicks, long length) {
+  Eigen::ArrayXd v;
+  TrainPower(shape, clicks.onset, length).spread(clicks.power, clicks.floor, v);
+  return v;
+}
+
+/// The evidence click i must bring to stay.
+double needed_to_stay(const ModelClicks& clicks, size_t i, double T_0, double median_power) {
+  const size_t last = clicks.onset.size() - 1;
+  const double power = clicks.power(static_cast<long>(i));
+  const double before = i > 0 ? static_cast<double>(clicks.onset[i] - clicks.onset[i - 1]) : T_0;
+  const double after = i < last ? static_cast<double>(clicks.onset[i + 1] - clicks.onset[i]) : T_0;
+  if (power < kNegligiblePower * median_power) return kNever;
+  if (std::min(before, after) < kTooClose * T_0) {
+    const size_t rival = before < after ? i - 1 : std::min(i + 1, last);
+    if (power < clicks.power(static_cast<long>(rival))) return kNever;
+  }
+  return before + after > 1.5 * T_0 ? 0.5 : 6.0;
+}
+
+struct Requirement {
+  double gain;   ///< nats
+  double power;  ///< of the median
+};
+
+Requirement needed_to_come(const std::vector<long>& onset, long at, double T_0) {
+  const auto next = std::lower_bound(onset.begin(), onset.end(), at);
+  const bool inside = next != onset.begin() && next != onset.end();
+  const double gap = inside ? static_cast<double>(*next - *(next - 1)) / T_0 : 2.0;
+  return gap > 1.45 ? Requirement{5, 0.04} : Requirement{25, 0.15};
+}
+
+long distance_to_nearest(const std::vector<long>& onset, long at) {
+  long nearest = std::numeric_limits<long>::max();
+  for (const long P : onset) nearest = std::min(nearest, std::labs(P - at));
+  return nearest;
+}
+
+void insert_click(ModelClicks& clicks, const Addition& addition) {
+  clicks.onset.push_back(addition.onset);
+  clicks.power.conservativeResize(clicks.power.size() + 1);
+  clicks.power(clicks.power.size() - 1) = addition.power;
+  sort_clicks(clicks);
+}
+
+}  // namespace
+
+double removal_cost(const Eigen::ArrayXd& q, const Eigen::ArrayXd& v, const Eigen::ArrayXd& a2, long onset,
+                    double power, int block) {
+  const long first = std::max(0L, onset), length = std::min<long>(v.size(), onset + a2.size()) - first;
+  if (length <= 0) return 0;
+  const auto with = v.segment(first, length), observed = q.segment(first, length);
+  const Eigen::ArrayXd without = (with - power * a2.segment(first - onset, length)).max(1e-12);
+  return 0.5 * block * kIndependentShare * (divergence(observed, without) - divergence(observed, with));
+}
+
+Addition best_addition(const Eigen::ArrayXd& q, const Eigen::ArrayXd& v, const Eigen::ArrayXd& a2,
+                       long block_at, int block) {
+  Addition best;
+  for (long onset = std::max(0L, block_at - 3); onset <= block_at + 3; ++onset) {
+    const long length = std::min<long>(v.size(), onset + a2.size()) - onset;
+    if (length < 6) continue;
+    const auto shape = a2.head(length);
+    const auto now = v.segment(onset, length);
+    const Eigen::ArrayXd observed = q.segment(onset, length).min(kOutlierClip * now);
+    const Eigen::ArrayXd inverse = now.inverse(), gradient = shape * inverse.square();
+    double power = std::max(1e-6, (gradient * (observed - now)).sum() / (shape * gradient).sum());
+    Eigen::ArrayXd w;
+    for (int step = 0; step < kAmplitudeSteps; ++step) {
+      w = (now + power * shape).inverse();
+      power = std::max(1e-6, power * (shape * observed * w.square()).sum() / (shape * w).sum());
+    }
+    w = now + power * shape;
+    const double gain =
+        0.5 * block * kIndependentShare * (divergence(observed, now) - divergence(observed, w));
+    if (gain > best.gain) best = {onset, power, gain};
+  }
+  return best;
+}
+
+void remove_weak_clicks(const Eigen::ArrayXd& q, const EnvelopePower& shape, double T_0, int block,
+                        ModelClicks& clicks) {
+  const Eigen::ArrayXd a2 = sampled_power(shape);
+  const double median_power = median(clicks.power);
+  while (clicks.onset.size() > kFewestClicks) {
+    const Eigen::ArrayXd v = variance(shape, clicks, q.size()), clipped = q.min(kOutlierClip * v);
+    double worst = 0;
+    size_t weakest = clicks.onset.size();
+    for (size_t i = 0; i < clicks.onset.size(); ++i) {
+      const double evidence =
+          removal_cost(clipped, v, a2, clicks.onset[i], clicks.power(static_cast<long>(i)), block);
+      const double surplus = evidence - needed_to_stay(clicks, i, T_0, median_power);
+      if (surplus < worst) worst = surplus, weakest = i;
+    }
+    if (weakest == clicks.onset.size()) return;
+    remove_click(clicks, weakest);
+    update_powers(q, TrainPower(shape, clicks.onset, q.size()), 2, kOutlierClip, clicks);
+  }
+}
+
+void add_missed_clicks(const Eigen::ArrayXd& q, const EnvelopePower& shape, double T_0, int block,
+                       const std::vector<long>& candidates, ModelClicks& clicks) {
+  const Eigen::ArrayXd a2 = sampled_power(shape);
+  const double median_power = median(clicks.power);
+  Eigen::ArrayXd v = variance(shape, clicks, q.size());
+  for (const long at : candidates) {
+    if (static_cast<double>(distance_to_nearest(clicks.onset, at)) < 0.30 * T_0) continue;
+    const Requirement needed = needed_to_come(clicks.onset, at, T_0);
+    const Addition addition = best_addition(q, v, a2, at, block);
+    if (addition.gain <= needed.gain || addition.power <= needed.power * median_power) continue;
+    insert_click(clicks, addition);
+    v = variance(shape, clicks, q.size());
+  }
+}
+
+}  // namespace rigsound::analysis

@@ -1,0 +1,87 @@
+#include "clicks/click_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "clicks/click_edit.hpp"
+#include "clicks/envelope_fit.hpp"
+#include "clicks/gaps.hpp"
+#include "clicks/shift_search.hpp"
+
+namespace rigsound::analysis {
+namespace {
+
+constexpr int kCoarse = 8, kFine = 2;  // samples a block
+constexpr int kRounds = 3;
+constexpr long kFullRateReach = 16;
+
+double quantile(const Eigen::ArrayXd& x, double part) {
+  std::vector<double> sorted(x.begin(), x.end());
+  const auto at = sorted.begin() + static_cast<long>(part * static_cast<double>(sorted.size() - 1));
+  std::nth_element(sorted.begin(), at, sorted.end());
+  return *at;
+}
+
+void rescale(ModelClicks& clicks, int from, int to) {
+  for (long& P : clicks.onset) P = std::lround(static_cast<double>(P) * from / to);
+}
+
+ModelClicks start(const Eigen::ArrayXd& q, const Selection& selection) {
+  ModelClicks clicks;
+  clicks.onset.assign(selection.block.begin(), selection.block.end());
+  rescale(clicks, kCandidateBlock, kCoarse);
+  clicks.power =
+      Eigen::ArrayXd::Constant(static_cast<long>(clicks.onset.size()), 3 * std::max(q.mean(), 1e-3));
+  clicks.floor = std::max(1e-4, 0.5 * quantile(q, 0.1));
+  return clicks;
+}
+
+void coarse_rounds(const Eigen::ArrayXd& q, const std::vector<long>& candidates, double& T_0,
+                   ClickEnvelope& envelope, ModelClicks& clicks) {
+  for (int round = 0; round < kRounds; ++round) {
+    fit_envelope(q, T_0, {kCoarse, round == 0 ? 60 : 40, 3}, envelope, clicks);
+    const EnvelopePower shape = envelope_power(envelope, kCoarse);
+    const long reach = static_cast<long>((round == 0 ? 0.10 : 0.05) * T_0 / kCoarse) + 1;
+    shift_clicks(q, shape, {reach, 1}, clicks);
+    update_powers(q, TrainPower(shape, clicks.onset, q.size()), 4, kOutlierClip, clicks);
+    remove_weak_clicks(q, shape, T_0 / kCoarse, kCoarse, clicks);
+    if (round + 1 < kRounds) add_missed_clicks(q, shape, T_0 / kCoarse, kCoarse, candidates, clicks);
+    if (clicks.onset.size() > 3) T_0 = median_gap(clicks.onset) * kCoarse;
+  }
+}
+
+ClickTrain train_of(const ModelClicks& clicks, const ClickEnvelope& envelope, double T_0, long length) {
+  ClickTrain train;
+  train.envelope = envelope;
+  train.T_0 = T_0;
+  for (size_t i = 0; i < clicks.onset.size(); ++i) {
+    // A click that began before the first sample is heard through its tail: it counts from the first sample.
+    if (clicks.onset[i] < -static_cast<long>(envelope.N_a) || clicks.onset[i] >= length) continue;
+    train.P.push_back(static_cast<int>(std::max(0L, clicks.onset[i])));
+    train.beta.push_back(std::sqrt(clicks.power(static_cast<long>(i))));
+  }
+  return train;
+}
+
+}  // namespace
+
+ClickTrain fit_clicks(const Eigen::ArrayXd& y, const Candidates& candidates, const Selection& selection) {
+  const Eigen::ArrayXd q = block_power(y, kCoarse);
+  std::vector<long> candidate_blocks;
+  for (const int block : candidates.block) candidate_blocks.push_back(block * (kCandidateBlock / kCoarse));
+  double T_0 = selection.T_0 * kCandidateBlock;
+  ModelClicks clicks = start(q, selection);
+  ClickEnvelope envelope = first_envelope(q, clicks.onset, T_0, kCoarse);
+  coarse_rounds(q, candidate_blocks, T_0, envelope, clicks);
+
+  rescale(clicks, kCoarse, kFine);
+  fit_envelope(block_power(y, kFine), T_0, {kFine, 40, 2}, envelope, clicks);
+  rescale(clicks, kFine, 1);
+  const Eigen::ArrayXd power = y.square();
+  const EnvelopePower shape = envelope_power(envelope, 1);
+  for (const long step : {2L, 1L}) shift_clicks(power, shape, {kFullRateReach, step}, clicks);
+  update_powers(power, TrainPower(shape, clicks.onset, y.size()), 6, 1e9, clicks);
+  return train_of(clicks, envelope, T_0, y.size());
+}
+
+}  // namespace rigsound::analysis

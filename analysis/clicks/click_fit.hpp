@@ -1,0 +1,16 @@
+// Step 5 as a whole: from selected candidates to onsets, amplitudes and envelope.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "clicks/selection.hpp"
+#include "rigsound/analysis/click_train.hpp"
+
+namespace rigsound::analysis {
+
+/// Maximum-likelihood clicks of the whitened signal y (RMS 1): three rounds on blocks of 8 samples (envelope,
+/// shifts, removals, additions), one on 2 samples, then shifts at full rate. `selection` must hold at least 4
+/// clicks. Thread: OFF.
+ClickTrain fit_clicks(const Eigen::ArrayXd& y, const Candidates& candidates, const Selection& selection);
+
+}  // namespace rigsound::analysis

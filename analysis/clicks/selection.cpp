@@ -1,0 +1,127 @@
+#include "clicks/selection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "clicks/gaps.hpp"
+#include "clicks/period.hpp"
+#include "rigsound/analysis/chain.hpp"
+
+namespace rigsound::analysis {
+namespace {
+
+constexpr double kBlockRate = kAnalysisRate / kCandidateBlock;
+constexpr double kMissCost = 2, kDoubleCost = 4, kPauseCost = 6 * kMissCost;
+constexpr double kShortestGap = 0.28, kLongestGap = 4.5, kDoubleBelow = 0.75;  // periods
+constexpr double kReferenceRate_hz = 5;  // the k-th highest candidate sets the scale, k = 5 a second
+constexpr double kScoreAtReference = 8.4, kScoreCap = 12;
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+/// Robust squared deviation of ln g from ln of a whole number of periods.
+double deviation_cost(double ln_ratio, double width) {
+  const double x = ln_ratio / width;
+  return 1.5 * x * x / (1 + 0.15 * x * x);
+}
+
+double edge_cost(double silence, double T_0) { return kMissCost * std::min(3.0, silence / T_0); }
+
+struct Step {
+  double total;
+  int previous;
+};
+
+/// The best chain that ends at candidate i, given those before it. `pause`: the best that ended over
+/// kLongestGap ago, -1 for none.
+Step best_step(const std::vector<int>& time, const std::vector<Step>& steps, int i, int pause, double score,
+               double T_0) {
+  Step best{score - edge_cost(time[i], T_0), -1};
+  if (pause >= 0 && steps[pause].total + score - kPauseCost > best.total)
+    best = {steps[pause].total + score - kPauseCost, pause};
+  for (int j = i - 1; j >= 0; --j) {
+    const double g = (time[i] - time[j]) / T_0;
+    if (g > kLongestGap) break;
+    const double total = steps[j].total + score - gap_cost(g);
+    if (total > best.total) best = {total, j};
+  }
+  return best;
+}
+
+/// Scores: the statistic scaled so that the reference candidate of every recording weighs the same, less a
+/// threshold that asks more of a candidate where others are clear.
+std::vector<double> scores(const Candidates& candidates, double reference) {
+  const double threshold = std::clamp(0.27 * reference, 1.2, 3.0),
+               scale = std::min(1.0, kScoreAtReference / reference);
+  std::vector<double> score;
+  for (const int block : candidates.block)
+    score.push_back(std::min(candidates.z(block) * scale, kScoreCap) - threshold);
+  return score;
+}
+
+double reference_statistic(const Candidates& candidates) {
+  std::vector<double> z;
+  for (const int block : candidates.block) z.push_back(candidates.z(block));
+  std::sort(z.begin(), z.end(), std::greater<>());
+  const double seconds = static_cast<double>(candidates.z.size()) / kBlockRate;
+  const long k = std::max(2L, static_cast<long>(kReferenceRate_hz * seconds));
+  return z[std::min(static_cast<size_t>(k), z.size()) - 1];
+}
+
+std::vector<int> blocks_of(const Candidates& candidates, const Chain& chain) {
+  std::vector<int> blocks;
+  for (const int i : chain.chosen) blocks.push_back(candidates.block[i]);
+  return blocks;
+}
+
+}  // namespace
+
+double gap_cost(double g) {
+  if (g < kShortestGap || g > kLongestGap) return kInfinite;
+  double cost = deviation_cost(std::log(g), 0.2);
+  for (int k = 2; k <= 4; ++k)
+    cost = std::min(cost, kMissCost * (k - 1) + deviation_cost(std::log(g / k), 0.16));
+  return g < kDoubleBelow ? std::min(cost, kDoubleCost) : cost;
+}
+
+Chain best_chain(const std::vector<int>& time, const std::vector<double>& score, double T_0, long length) {
+  std::vector<Step> steps;
+  int best = -1, pause = -1, waiting = 0;
+  double best_total = -kInfinite;
+  for (int i = 0; i < static_cast<int>(time.size()); ++i) {
+    for (; time[i] - time[waiting] > kLongestGap * T_0; ++waiting)
+      if (pause < 0 || steps[waiting].total > steps[pause].total) pause = waiting;
+    steps.push_back(best_step(time, steps, i, pause, score[i], T_0));
+    const double total = steps[i].total - edge_cost(static_cast<double>(length - time[i]), T_0);
+    if (total > best_total) best_total = total, best = i;
+  }
+  Chain chain;
+  chain.total = best_total;
+  for (int i = best; i >= 0; i = steps[i].previous) chain.chosen.push_back(i);
+  std::reverse(chain.chosen.begin(), chain.chosen.end());
+  return chain;
+}
+
+Selection select_clicks(const Candidates& candidates) {
+  Selection selection;
+  if (candidates.block.size() < 4) return selection;
+  const double reference = reference_statistic(candidates);
+  const std::vector<double> score = scores(candidates, reference);
+  selection.total = -kInfinite;
+  for (const int T : period_hypotheses(candidates.z.min(reference), kBlockRate)) {
+    Chain chain = best_chain(candidates.block, score, T, candidates.z.size());
+    if (chain.chosen.size() > 3) {
+      const double refined = median_gap(blocks_of(candidates, chain));
+      if (std::fabs(refined / T - 1) < 0.35)
+        chain = best_chain(candidates.block, score, refined, candidates.z.size());
+    }
+    if (chain.total <= selection.total) continue;
+    selection.total = chain.total;
+    selection.block = blocks_of(candidates, chain);
+    selection.T_0 = selection.block.size() > 2 ? median_gap(selection.block) : T;
+  }
+  for (const int block : selection.block)
+    selection.mean_z += candidates.z(block) / static_cast<double>(selection.block.size());
+  return selection;
+}
+
+}  // namespace rigsound::analysis

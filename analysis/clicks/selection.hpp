@@ -1,0 +1,34 @@
+// Step 4: the chain of candidates that a percussive drill would have made.
+#pragma once
+
+#include <vector>
+
+#include "clicks/candidates.hpp"
+
+namespace rigsound::analysis {
+
+/// One way through the candidates.
+struct Chain {
+  std::vector<int> chosen;  ///< indices into the candidates, ascending
+  double total = 0;         ///< scores less costs
+};
+
+/// What a gap of g periods costs: robust around 1, 2 … 4 (missed strikes), cheap around a half (a double
+/// strike); infinite below 0.28 and above 4.5, where only a pause continues the chain. Thread: OFF.
+double gap_cost(double g);
+
+/// The chain of largest total = sum of scores - gap costs - pauses - silent edges, by dynamic programming.
+/// `time`: blocks, ascending; `length`: blocks of the whole signal; `T_0`: blocks. Thread: OFF.
+Chain best_chain(const std::vector<int>& time, const std::vector<double>& score, double T_0, long length);
+
+struct Selection {
+  std::vector<int> block;  ///< of the clicks, ascending
+  double T_0 = 0;          ///< blocks, median gap
+  double total = 0;        ///< of the chain
+  double mean_z = 0;       ///< detection statistic, mean over the clicks
+};
+
+/// Tries every period hypothesis and keeps the chain of the largest total. Thread: OFF.
+Selection select_clicks(const Candidates& candidates);
+
+}  // namespace rigsound::analysis

@@ -1,0 +1,42 @@
+// Step 5: the whitened signal as noise whose variance follows the click train, y_n ~ N(0, v_n).
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "clicks/envelope.hpp"
+#include "clicks/train_power.hpp"
+
+namespace rigsound::analysis {
+
+/// A block's power never counts as more than this multiple of its modelled variance: outliers.
+constexpr double kOutlierClip = 200;
+
+/// The clicks of the model on blocks of one size.
+struct ModelClicks {
+  std::vector<long> onset;  ///< P_i, blocks, ascending
+  Eigen::ArrayXd power;     ///< beta_i^2
+  double floor = 0;         ///< variance between clicks
+};
+
+/// sum of ln w + q / w: twice the negative log-likelihood per sample of a block. Thread: OFF.
+double divergence(const Eigen::Ref<const Eigen::ArrayXd>& q, const Eigen::Ref<const Eigen::ArrayXd>& w);
+
+/// sum of ln w, w > 0 within 1e-30 … 1e30. Thread: OFF.
+double log_sum(const Eigen::Ref<const Eigen::ArrayXd>& w);
+
+/// 1/2 block sum(ln v + min(q/v, kOutlierClip)): the negative log-likelihood. Thread: OFF.
+double model_cost(const Eigen::ArrayXd& q, const Eigen::ArrayXd& v, int block);
+
+/// `sweeps` multiplicative updates of every beta_i^2 and of the floor towards the likelihood's maximum: the
+/// first takes the full ratio for the powers, the others its root (monotone). Thread: OFF.
+void update_powers(const Eigen::ArrayXd& q, const TrainPower& train, int sweeps, double clip,
+                   ModelClicks& clicks);
+
+/// Puts the clicks in order of onset. Thread: OFF.
+void sort_clicks(ModelClicks& clicks);
+
+/// Takes click i out. Thread: OFF.
+void remove_click(ModelClicks& clicks, size_t i);
+
+}  // namespace rigsound::analysis

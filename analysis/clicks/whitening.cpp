@@ -1,0 +1,87 @@
+#include "clicks/whitening.hpp"
+
+#include <unsupported/Eigen/FFT>
+
+#include <algorithm>
+#include <complex>
+
+#include "clicks/levinson.hpp"
+#include "rigsound/analysis/chain.hpp"
+
+namespace rigsound::analysis {
+namespace {
+
+constexpr int kOrder = 64;
+constexpr double kDrillingShare = 0.1;  ///< of S in D: 0 would be a pure matched filter
+constexpr double kEmptyBin = 1e-6;      ///< of the largest power; band-limited files end here
+constexpr double kLargestOverMedian = 1e4;
+constexpr double kWhiteNoise = 1e-4;  ///< correction of r_0
+constexpr double kLagWindow_hz = 60;  ///< Gaussian
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<long>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// D(f), with the bins that hold nothing set to the largest of the others.
+Eigen::ArrayXd weight(const Eigen::ArrayXd& S, const Eigen::ArrayXd& N) {
+  const Eigen::ArrayXd s = S.max(1e-12 * S.maxCoeff() + 1e-20), total = s + N;
+  Eigen::ArrayXd D = (N + kDrillingShare * s) * total / s;
+  std::vector<double> heard;
+  for (long f = 0; f < D.size(); ++f)
+    if (total(f) > kEmptyBin * total.maxCoeff()) heard.push_back(D(f));
+  const double largest = *std::max_element(heard.begin(), heard.end());
+  D = (total > kEmptyBin * total.maxCoeff()).select(D, largest);
+  return D.min(kLargestOverMedian * median(heard));
+}
+
+Eigen::ArrayXd autocorrelation(const Eigen::ArrayXd& power, int lags) {
+  Eigen::FFT<double> fft;
+  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+  const Eigen::VectorXcd bins = power.matrix().cast<std::complex<double>>();
+  Eigen::VectorXd r;
+  fft.inv(r, bins, 2 * (power.size() - 1));
+  return r.head(lags).array();
+}
+
+}  // namespace
+
+Eigen::ArrayXd noise_aware_whitener(const Eigen::ArrayXd& S, const Eigen::ArrayXd& N) {
+  Eigen::ArrayXd r = autocorrelation(weight(S, N), kOrder + 1);
+  const Eigen::ArrayXd lag_s = Eigen::ArrayXd::LinSpaced(kOrder + 1, 0, kOrder) / kAnalysisRate;
+  r *= (-0.5 * (2 * EIGEN_PI * kLagWindow_hz * lag_s).square()).exp();
+  r(0) *= 1 + kWhiteNoise;
+  return levinson(r);
+}
+
+Eigen::ArrayXd lpc_whitener(const std::vector<float>& x, int order) {
+  const Eigen::ArrayXd signal =
+      Eigen::Map<const Eigen::ArrayXf>(x.data(), static_cast<long>(x.size())).cast<double>();
+  Eigen::ArrayXd r(order + 1);
+  for (int lag = 0; lag <= order; ++lag)
+    r(lag) = (signal.head(signal.size() - lag) * signal.tail(signal.size() - lag)).sum();
+  return levinson(r);
+}
+
+Eigen::ArrayXd whiten(const std::vector<float>& x, const Eigen::ArrayXd& A) {
+  const long size = static_cast<long>(x.size());
+  const Eigen::Map<const Eigen::ArrayXf> signal(x.data(), size);
+  Eigen::ArrayXd y(size);
+  // Blocks that stay in the first-level cache while every tap passes over them.
+  constexpr long kBlock = 2048;
+  for (long start = 0; start < size; start += kBlock) {
+    const long length = std::min(kBlock, size - start);
+    Eigen::ArrayXf block = Eigen::ArrayXf::Zero(length);
+    for (long k = 0; k < A.size(); ++k) {
+      const long skip = std::max(0L, k - start);
+      if (skip < length)
+        block.tail(length - skip) +=
+            static_cast<float>(A(k)) * signal.segment(start + skip - k, length - skip);
+    }
+    y.segment(start, length) = block.cast<double>();
+  }
+  return y / std::sqrt(std::max(y.square().mean(), 1e-30));
+}
+
+}  // namespace rigsound::analysis

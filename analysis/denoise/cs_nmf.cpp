@@ -1,0 +1,42 @@
+#include "denoise/cs_nmf.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "denoise/click_activations.hpp"
+#include "kernels/is_kernels.hpp"
+#include "rigsound/analysis/chain.hpp"
+
+namespace rigsound::analysis {
+namespace {
+
+constexpr double kSecondsPerKnot = 2;
+constexpr float kWordFloor = 1e-10f;
+
+int noise_knots(int frames) {
+  const double seconds = frames * kChainStft.hop / kAnalysisRate;
+  return std::min(1 + static_cast<int>(std::ceil(seconds / kSecondsPerKnot - 1e-3)), kMaxWords - kDecayCount);
+}
+
+}  // namespace
+
+Factors cs_nmf(const PowerSpectrogram& power, const ClickTrain& train, const CsNmfOptions& options) {
+  const int knots = noise_knots(power.frames), words = kDecayCount + knots;
+  Factors f;
+  f.signal_words = kDecayCount;
+  f.H = Grid(words, power.padded());
+  f.H.topRows(kDecayCount) = click_activations(train, power.frames, power.padded());
+  f.H.bottomRows(knots) = hats(knots, power.frames, power.padded());
+  f.W = Grid(power.bins(), words);
+  const Eigen::ArrayXf noise = noise_level(power, options.noise_start);
+  const Activations H{f.H.data(), words, power.padded()};
+  for (int m = 0; m < power.bins(); ++m) {
+    const float mean = power.P.row(m).head(power.frames).mean();
+    f.W.row(m).head(kDecayCount) = std::max(mean - noise(m), 0.1f * mean) / kDecayCount;
+    f.W.row(m).tail(knots) = noise(m);
+    is_kernels().fit_bin(power.P.row(m).data(), H, f.W.row(m).data(), options.iterations, 1.0f, kWordFloor);
+  }
+  return f;
+}
+
+}  // namespace rigsound::analysis

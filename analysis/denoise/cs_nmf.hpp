@@ -1,0 +1,20 @@
+// Step 6: click-synchronous NMF. The activations follow from the clicks, only the spectra are learned.
+#pragma once
+
+#include "denoise/power.hpp"
+#include "rigsound/analysis/click_train.hpp"
+
+namespace rigsound::analysis {
+
+struct CsNmfOptions {
+  int iterations = 225;  ///< multiplicative updates of W
+  float noise_start =
+      0.05f;  ///< of the 20 % quantile's noise level; low, or a loud drill leaks into the noise
+};
+
+/// Minimises the Itakura-Saito divergence D(P | W_s E + W_n hats) over W_s and W_n, with E the click
+/// activations of `train` and one noise knot more than every two seconds. Every bin is independent. Thread:
+/// OFF.
+Factors cs_nmf(const PowerSpectrogram& power, const ClickTrain& train, const CsNmfOptions& options);
+
+}  // namespace rigsound::analysis

@@ -1,0 +1,48 @@
+// Power spectrograms as the factorisations take them: normalised, floored, padded for the kernels.
+#pragma once
+
+#include "denoise/stft.hpp"
+
+namespace rigsound::analysis {
+
+/// |X|^2 over its mean, never below a floor; `frames` columns hold data, the rest up to a multiple of
+/// kLanes are zero.
+struct PowerSpectrogram {
+  Grid P;  ///< bins x padded frames
+  int frames = 0;
+  double scale = 1;  ///< the mean that was divided out
+
+  int bins() const { return static_cast<int>(P.rows()); }
+  int padded() const { return static_cast<int>(P.cols()); }
+};
+
+/// Thread: OFF.
+PowerSpectrogram power_spectrogram(const Spectrogram& X);
+
+/// The level of a stationary noise in each bin, from the 20 % quantile over time: the power of Gaussian
+/// noise is exponentially distributed, so that quantile is -ln(0.8) = 0.223 of its mean. Never above
+/// 0.9 of the bin's mean (before `start`). Thread: OFF.
+Eigen::ArrayXf noise_level(const PowerSpectrogram& power, float start);
+
+/// `knots` hat functions that sum to 1 over `frames` (a slow noise's course in time), padded with zeros
+/// to `padded` columns. Thread: OFF.
+Grid hats(int knots, int frames, int padded);
+
+/// The powers a factorisation found in each cell, in the units of |X|^2.
+struct PsdPair {
+  Grid S;  ///< drilling, bins x frames
+  Grid N;  ///< background, bins x frames
+};
+
+/// The factorisation W H of a power spectrogram: the first `signal_words` columns of W and rows of H are
+/// the drilling's.
+struct Factors {
+  Grid W;  ///< bins x K
+  Grid H;  ///< K x padded frames
+  int signal_words = 0;
+};
+
+/// Thread: OFF.
+PsdPair modelled_psd(const Factors& factors, const PowerSpectrogram& power);
+
+}  // namespace rigsound::analysis
