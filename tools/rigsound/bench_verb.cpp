@@ -1,7 +1,7 @@
 // rigsound bench: what the engine costs on this machine, layer by layer.
 #include <fmt/format.h>
 
-#include <cstdio>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -18,6 +18,18 @@ struct Row {
   std::string layer;
   EngineCost cost;
 };
+
+// Variants are measured in turn, so that a machine that slows down slows all of them.
+constexpr int kRounds = 8;
+
+/// Means are those of the quietest round, worst block and deadlines those of all rounds.
+void keep_best(EngineCost& best, const EngineCost& round) {
+  const EngineCost earlier = best;
+  if (earlier.blocks == 0 || round.ns_a_sample < earlier.ns_a_sample) best = round;
+  best.worst_block_us = std::max(earlier.worst_block_us, round.worst_block_us);
+  best.over_deadline = earlier.over_deadline + round.over_deadline;
+  best.blocks = earlier.blocks + round.blocks;
+}
 
 EngineCost difference(const EngineCost& with, const EngineCost& without) {
   EngineCost d = with;
@@ -43,11 +55,15 @@ std::vector<Row> measure_layers(double seconds) {
   SoundSet no_background = all;
   no_background.backgrounds.clear();
 
-  const EngineCost whole = measure(options, all, drilling, seconds);
-  const EngineCost without_tool = measure(no_tool, all, drilling, seconds);
-  const EngineCost without_background = measure(options, no_background, drilling, seconds);
-  const EngineCost drill_and_mix = measure(no_tool, no_background, drilling, seconds);
-  const EngineCost mix = measure(no_tool, no_background, MachineState{}, seconds);
+  EngineCost whole, without_tool, without_background, drill_and_mix, mix;
+  for (int round = 0; round < kRounds; ++round) {
+    const double share = seconds / kRounds;
+    keep_best(whole, measure(options, all, drilling, share));
+    keep_best(without_tool, measure(no_tool, all, drilling, share));
+    keep_best(without_background, measure(options, no_background, drilling, share));
+    keep_best(drill_and_mix, measure(no_tool, no_background, drilling, share));
+    keep_best(mix, measure(no_tool, no_background, MachineState{}, share));
+  }
   return {{"drill", difference(drill_and_mix, mix)},
           {"tool", difference(whole, without_tool)},
           {"background", difference(whole, without_background)},
@@ -98,6 +114,7 @@ void add_bench(CLI::App& app) {
       ->check(CLI::Range(0.1, 3600.0));
   verb->footer(
       "One boom that drills at 1800 r/min, blocks of 64 frames at 48 kHz, sounds made from formulas.\n"
+      "Means are those of the quietest of eight rounds, worst blocks those of all.\n"
       "Example: rigsound bench --seconds 30");
   verb->callback([o] {
     const std::vector<Row> rows = measure_layers(o->seconds);
