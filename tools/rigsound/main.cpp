@@ -11,7 +11,6 @@ using namespace rigsound;
 namespace {
 
 constexpr tools::AddVerb kVerbs[] = {
-    tools::add_bench,
     tools::add_simulate,
 };
 

@@ -7,7 +7,6 @@ namespace rigsound::tools {
 
 using AddVerb = void (*)(CLI::App& app);
 
-void add_bench(CLI::App& app);
 void add_simulate(CLI::App& app);
 
 }  // namespace rigsound::tools

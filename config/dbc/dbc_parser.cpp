@@ -1,0 +1,306 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "dbc/dbc_attributes.hpp"
+#include "dbc/dbc_cursor.hpp"
+#include "dbc/dbc_multiplexing.hpp"
+#include "rigsound/config/dbc.hpp"
+#include "text/read_text.hpp"
+
+namespace rigsound::config {
+namespace {
+
+constexpr std::int64_t kExtendedBit = 0x80000000, kIdentifierMask = 0x1FFFFFFF;
+constexpr std::int64_t kMaxRawId = 0xFFFFFFFF;
+constexpr double kMostRaw = 9e18;  // what a 64 bit key holds
+constexpr std::int64_t kUnboundSignals = 0xC0000000;  // the pseudo message of signals that no message carries
+
+/// What the NS_ section of a file may list; the words that begin a section.
+constexpr std::array<std::string_view, 30> kSections = {"VERSION",
+                                                        "NS_",
+                                                        "BS_",
+                                                        "BU_",
+                                                        "BO_",
+                                                        "SG_",
+                                                        "CM_",
+                                                        "BA_DEF_",
+                                                        "BA_",
+                                                        "VAL_",
+                                                        "VAL_TABLE_",
+                                                        "BA_DEF_DEF_",
+                                                        "SIG_VALTYPE_",
+                                                        "SG_MUL_VAL_",
+                                                        "BO_TX_BU_",
+                                                        "EV_",
+                                                        "ENVVAR_DATA_",
+                                                        "SGTYPE_",
+                                                        "SGTYPE_VAL_",
+                                                        "SIG_GROUP_",
+                                                        "BA_DEF_REL_",
+                                                        "BA_REL_",
+                                                        "BA_DEF_DEF_REL_",
+                                                        "CAT_DEF_",
+                                                        "CAT_",
+                                                        "FILTER",
+                                                        "SIG_TYPE_REF_",
+                                                        "EV_DATA_",
+                                                        "BU_SG_REL_",
+                                                        "NS_DESC_"};
+
+bool is_section(std::string_view word) {
+  return std::find(kSections.begin(), kSections.end(), word) != kSections.end();
+}
+
+class Parser {
+ public:
+  Parser(std::string_view text, const std::string& file) : file_(file), at_(dbc_tokens(text, file), file_) {}
+
+  Dbc parse() {
+    while (!at_.at_end()) section();
+    for (std::size_t i = 0; i < dbc_.messages.size(); ++i) {
+      attributes_.apply(raw_ids_[i], dbc_.messages[i]);
+      resolve_multiplexing(dbc_.messages[i], mux_[i], file_);
+    }
+    return std::move(dbc_);
+  }
+
+ private:
+  using Values = std::map<std::int64_t, std::string>;
+  using Action = void (Parser::*)();
+
+  void section() {
+    static constexpr std::pair<std::string_view, Action> kActions[] = {
+        {"BO_", &Parser::message},
+        {"BU_", &Parser::nodes},
+        {"CM_", &Parser::comment},
+        {"VAL_", &Parser::values},
+        {"VAL_TABLE_", &Parser::value_table},
+        {"SIG_VALTYPE_", &Parser::value_type},
+        {"SG_MUL_VAL_", &Parser::mux_values},
+        {"BO_TX_BU_", &Parser::senders},
+        {"NS_", &Parser::new_symbols},
+    };
+    const DbcToken token = at_.take();
+    at_.enter(token.text);
+    if (token.text == "BA_DEF_") return attributes_.read_definition(at_);
+    if (token.text == "BA_DEF_DEF_") return attributes_.read_default(at_);
+    if (token.text == "BA_") return attributes_.read_value(at_);
+    for (const auto& [name, action] : kActions)
+      if (token.text == name && token.kind == DbcToken::Kind::kWord) return (this->*action)();
+    skip();
+  }
+
+  // An unknown section ends with a semicolon, or where a line begins with a section that we know.
+  void skip() {
+    while (!at_.at_end()) {
+      if (at_.peek().first_in_line && at_.at_word() && is_section(at_.peek().text)) return;
+      if (at_.take_sign(';')) return;
+      at_.take();
+    }
+  }
+
+  // The list holds words that begin sections elsewhere; a section begins where such a word is followed by
+  // what only a section has.
+  void new_symbols() {
+    at_.expect_sign(':');
+    while (at_.at_word()) {
+      const std::string_view word = at_.peek().text, next = at_.peek(1).text;
+      if (word == "BS_" || word == "BU_" || word == "BO_" || at_.peek(1).kind != DbcToken::Kind::kWord)
+        return;
+      const bool object = next == "BO_" || next == "SG_" || next == "BU_" || next == "EV_";
+      if (object && at_.peek(2).kind == DbcToken::Kind::kString) return;
+      at_.take();
+    }
+  }
+
+  // A word followed by a number or a string is the name of an unknown section, not a node.
+  void nodes() {
+    at_.expect_sign(':');
+    while (at_.at_word() && !is_section(at_.peek().text)) {
+      const DbcToken::Kind next = at_.peek(1).kind;
+      if (next == DbcToken::Kind::kNumber || next == DbcToken::Kind::kString) return;
+      dbc_.nodes.push_back(at_.expect_word("a node"));
+    }
+    at_.take_sign(';');
+  }
+
+  std::int64_t raw_id() { return at_.expect_integer("a message identifier", 0, kMaxRawId); }
+
+  void message() {
+    DbcMessage message;
+    message.line = at_.peek().line;
+    const std::int64_t id = raw_id();
+    message.extended = (id & kExtendedBit) != 0;
+    message.id = static_cast<std::uint32_t>(id & kIdentifierMask);
+    message.name = at_.expect_word("the name of a message");
+    at_.expect_sign(':');
+    message.size = static_cast<int>(at_.expect_integer("the size of a message in bytes", 0, 1785));
+    if (at_.at_word() && !is_section(at_.peek().text)) message.senders.push_back(at_.expect_word("a node"));
+    std::map<std::string, DbcMux> mux;
+    while (at_.at_word() && at_.peek().text == "SG_") {
+      at_.enter(at_.take().text);
+      message.signals.push_back(signal(mux));
+    }
+    if (id == kUnboundSignals) return;
+    raw_ids_.push_back(id);
+    mux_.push_back(std::move(mux));
+    dbc_.messages.push_back(std::move(message));
+  }
+
+  DbcSignal signal(std::map<std::string, DbcMux>& mux) {
+    DbcSignal signal;
+    signal.line = at_.peek().line;
+    signal.name = at_.expect_word("the name of a signal");
+    if (at_.at_word() && !parse_mux(at_.take().text, mux[signal.name]))
+      at_.fail("signal " + signal.name + " has a wrong multiplexing word, expected M, m0, m0M, ...");
+    at_.expect_sign(':');
+    signal.layout = layout();
+    at_.expect_sign('[');
+    signal.min = at_.expect_number("the least value");
+    at_.expect_sign('|');
+    signal.max = at_.expect_number("the greatest value");
+    at_.expect_sign(']');
+    signal.unit = at_.expect_string("a unit in quotes");
+    while ((at_.at_word() && !is_section(at_.peek().text)) || at_.at_sign(',')) at_.take();  // receivers
+    return signal;
+  }
+
+  // start|length@order sign (scale,offset)
+  can::SignalLayout layout() {
+    can::SignalLayout layout;
+    layout.field.start_bit = static_cast<int>(at_.expect_integer("a start bit", 0, 1785 * 8 - 1));
+    at_.expect_sign('|');
+    layout.field.length = static_cast<int>(at_.expect_integer("a length in bits", 1, 1785 * 8));
+    at_.expect_sign('@');
+    const bool intel = at_.expect_integer("a byte order, 0 or 1,", 0, 1) == 1;
+    layout.field.order = intel ? can::ByteOrder::kIntel : can::ByteOrder::kMotorola;
+    if (at_.take_sign('-'))
+      layout.type = can::ValueType::kSigned;
+    else
+      at_.expect_sign('+');
+    at_.expect_sign('(');
+    layout.scale = at_.expect_number("a scale");
+    at_.expect_sign(',');
+    layout.offset = at_.expect_number("an offset");
+    at_.expect_sign(')');
+    return layout;
+  }
+
+  void comment() {
+    const std::string object = at_.at_word() ? at_.expect_word("BO_, SG_, BU_ or EV_") : "";
+    DbcMessage* message = object == "BO_" || object == "SG_" ? known_message() : nullptr;
+    const std::string name = object.empty() || object == "BO_" ? "" : at_.expect_word("a name");
+    const std::string text = at_.expect_string("a comment in quotes");
+    if (object == "BO_" && message != nullptr) message->comment = text;
+    if (DbcSignal* signal = object == "SG_" ? known_signal(message, name) : nullptr) signal->comment = text;
+    at_.expect_sign(';');
+  }
+
+  Values value_texts() {
+    Values values;
+    while (at_.at_number()) {
+      const double raw = std::clamp(at_.expect_number("a value"), -kMostRaw, kMostRaw);
+      values[static_cast<std::int64_t>(raw)] = at_.expect_string("the text of a value in quotes");
+    }
+    at_.expect_sign(';');
+    return values;
+  }
+
+  void values() {
+    if (at_.at_word()) {  // of an environment variable
+      at_.take();
+      value_texts();
+      return;
+    }
+    DbcMessage* message = known_message();
+    DbcSignal* signal = known_signal(message, at_.expect_word("the name of a signal"));
+    const bool by_table = at_.at_word();
+    const std::string table = by_table ? at_.expect_word("the name of a value table") : "";
+    Values texts = value_texts();
+    if (signal != nullptr) signal->values = by_table ? dbc_.value_tables[table] : std::move(texts);
+  }
+
+  void value_table() {
+    const std::string name = at_.expect_word("the name of a value table");
+    dbc_.value_tables[name] = value_texts();
+  }
+
+  void value_type() {
+    DbcMessage* message = known_message();
+    DbcSignal* signal = known_signal(message, at_.expect_word("the name of a signal"));
+    at_.take_sign(':');
+    const std::int64_t type = at_.expect_integer("0 (integer), 1 (float) or 2 (double),", 0, 2);
+    if (signal != nullptr && type == 1) signal->layout.type = can::ValueType::kFloat32;
+    if (signal != nullptr && type == 2) signal->layout.type = can::ValueType::kFloat64;
+    at_.expect_sign(';');
+  }
+
+  void mux_values() {
+    const DbcMessage* message = known_message();
+    const std::string signal = at_.expect_word("the name of a signal");
+    DbcMux mux;
+    mux.parent = at_.expect_word("the name of a multiplexor");
+    do {
+      const auto first = static_cast<std::uint64_t>(at_.expect_integer("a multiplexor value", 0, INT64_MAX));
+      at_.expect_sign('-');
+      const auto last = static_cast<std::uint64_t>(at_.expect_integer("a multiplexor value", 0, INT64_MAX));
+      mux.ranges.emplace_back(first, last);
+    } while (at_.take_sign(','));
+    at_.expect_sign(';');
+    if (message == nullptr) return;
+    auto& known = mux_[static_cast<std::size_t>(message - dbc_.messages.data())];
+    const auto found = known.find(signal);
+    if (found == known.end() || !found->second.is_multiplexed) return;
+    found->second.parent = std::move(mux.parent);
+    found->second.ranges = std::move(mux.ranges);
+  }
+
+  void senders() {
+    DbcMessage* message = known_message();
+    at_.expect_sign(':');
+    while (at_.at_word() || at_.at_sign(',')) {
+      const DbcToken token = at_.take();
+      if (token.kind == DbcToken::Kind::kWord && message != nullptr)
+        message->senders.emplace_back(token.text);
+    }
+    at_.expect_sign(';');
+  }
+
+  DbcMessage* known_message() {
+    const auto found = std::find(raw_ids_.begin(), raw_ids_.end(), raw_id());
+    return found == raw_ids_.end() ? nullptr
+                                   : &dbc_.messages[static_cast<std::size_t>(found - raw_ids_.begin())];
+  }
+
+  static DbcSignal* known_signal(DbcMessage* message, const std::string& name) {
+    return message == nullptr ? nullptr : const_cast<DbcSignal*>(message->find(name));
+  }
+
+  const std::string& file_;
+  DbcCursor at_;
+  Dbc dbc_;
+  DbcAttributes attributes_;
+  std::vector<std::int64_t> raw_ids_;               ///< of dbc_.messages, bit 31 in place
+  std::vector<std::map<std::string, DbcMux>> mux_;  ///< of dbc_.messages, by signal
+};
+
+}  // namespace
+
+const DbcSignal* DbcMessage::find(std::string_view signal) const {
+  const auto found =
+      std::find_if(signals.begin(), signals.end(), [&](const DbcSignal& s) { return s.name == signal; });
+  return found == signals.end() ? nullptr : &*found;
+}
+
+const DbcMessage* Dbc::find(std::string_view message) const {
+  const auto found =
+      std::find_if(messages.begin(), messages.end(), [&](const DbcMessage& m) { return m.name == message; });
+  return found == messages.end() ? nullptr : &*found;
+}
+
+Dbc parse_dbc(std::string_view text, const std::string& file) { return Parser(text, file).parse(); }
+
+Dbc load_dbc(const std::filesystem::path& file) { return parse_dbc(read_text(file), file.string()); }
+
+}  // namespace rigsound::config
