@@ -3,19 +3,19 @@
 
 #include <vector>
 
+#include "bench/formula_sounds.hpp"
 #include "rigsound/engine.hpp"
-#include "sounds/synthetic_sounds.hpp"
 
 using namespace rigsound;
 
 namespace {
 
 void run(benchmark::State& bench, const EngineOptions& options, double from_second) {
-  Engine engine(options, tests::synthetic_sounds(options.sample_rate));
+  Engine engine(options, tools::formula_sounds(options.sample_rate));
   std::vector<float> block(static_cast<std::size_t>(options.block * options.channels));
   double second = from_second;
   for (auto _ : bench) {
-    engine.process(tests::drilled_hole(second), block.data());
+    engine.process(tools::drilled_hole(second), block.data());
     benchmark::DoNotOptimize(block.data());
     second = second < from_second + 4 ? second + options.block / options.sample_rate : from_second;
   }
@@ -26,11 +26,11 @@ void run(benchmark::State& bench, const EngineOptions& options, double from_seco
       benchmark::Counter(samples / options.sample_rate, benchmark::Counter::kIsRate);
 }
 
-void at_rest(benchmark::State& bench) { run(bench, tests::full_options(), 2); }
-void one_boom(benchmark::State& bench) { run(bench, tests::full_options(), 8); }
-void two_booms(benchmark::State& bench) { run(bench, tests::full_options(), 16); }
-void two_booms_block_256(benchmark::State& bench) { run(bench, tests::full_options(256), 16); }
-void rattling(benchmark::State& bench) { run(bench, tests::full_options(), 40); }
+void at_rest(benchmark::State& bench) { run(bench, tools::full_options(), 2); }
+void one_boom(benchmark::State& bench) { run(bench, tools::full_options(), 8); }
+void two_booms(benchmark::State& bench) { run(bench, tools::full_options(), 16); }
+void two_booms_block_256(benchmark::State& bench) { run(bench, tools::full_options(256), 16); }
+void rattling(benchmark::State& bench) { run(bench, tools::full_options(), 40); }
 
 }  // namespace
 

@@ -11,6 +11,7 @@ using namespace rigsound;
 namespace {
 
 constexpr tools::AddVerb kVerbs[] = {
+    tools::add_bench,
     tools::add_simulate,
 };
 

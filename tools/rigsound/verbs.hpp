@@ -7,6 +7,7 @@ namespace rigsound::tools {
 
 using AddVerb = void (*)(CLI::App& app);
 
+void add_bench(CLI::App& app);
 void add_simulate(CLI::App& app);
 
 }  // namespace rigsound::tools

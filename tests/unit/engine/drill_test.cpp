@@ -5,10 +5,10 @@
 #include <stdexcept>
 #include <vector>
 
+#include "bench/formula_sounds.hpp"
 #include "drill/attack_decay.hpp"
 #include "drill/click_player.hpp"
 #include "rigsound/bank_player.hpp"
-#include "sounds/synthetic_sounds.hpp"
 
 using namespace rigsound;
 
@@ -97,7 +97,7 @@ TEST_CASE("clicks beyond the last voice are counted, not stacked") {
 }
 
 TEST_CASE("a bank plays at its own mean rate and level, and at the rate it is asked for") {
-  const SoundSet sounds = tests::synthetic_sounds();
+  const SoundSet sounds = tools::formula_sounds();
   const ClickBank& bank = sounds.banks[0];
   for (const float rate : {0.0f, 20.0f, 60.0f}) {
     BankPlayer player(bank, 5);

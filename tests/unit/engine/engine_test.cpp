@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "bench/formula_sounds.hpp"
 #include "engine/allocation_guard.hpp"
-#include "sounds/synthetic_sounds.hpp"
 
 using namespace rigsound;
 
@@ -16,12 +16,12 @@ namespace {
 
 /// `seconds` of the drilled hole; the state changes only where `grid` frames divide.
 std::vector<float> render(const EngineOptions& options, double seconds, int grid) {
-  Engine engine(options, tests::synthetic_sounds(options.sample_rate));
+  Engine engine(options, tools::formula_sounds(options.sample_rate));
   std::vector<float> pcm;
   std::vector<float> block(static_cast<std::size_t>(options.block * options.channels));
   for (int frame = 0; frame < seconds * options.sample_rate; frame += options.block) {
     const int held = frame - frame % grid;
-    engine.process(tests::drilled_hole(held / options.sample_rate + 7), block.data());
+    engine.process(tools::drilled_hole(held / options.sample_rate + 7), block.data());
     pcm.insert(pcm.end(), block.begin(), block.end());
   }
   return pcm;
@@ -34,7 +34,7 @@ bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
 }  // namespace
 
 TEST_CASE("same state, same sounds, same seed: same bits; another seed: others") {
-  EngineOptions options = tests::full_options();
+  EngineOptions options = tools::full_options();
   const auto first = render(options, 4, 64);
   CHECK(same_bits(first, render(options, 4, 64)));
   options.seed += 1;
@@ -42,31 +42,31 @@ TEST_CASE("same state, same sounds, same seed: same bits; another seed: others")
 }
 
 TEST_CASE("the block size does not matter while states change on the same frames") {
-  const auto reference = render(tests::full_options(64), 12, 256);
-  CHECK(same_bits(reference, render(tests::full_options(128), 12, 256)));
-  CHECK(same_bits(reference, render(tests::full_options(256), 12, 256)));
-  CHECK(same_bits(reference, render(tests::full_options(32), 12, 256)));
+  const auto reference = render(tools::full_options(64), 12, 256);
+  CHECK(same_bits(reference, render(tools::full_options(128), 12, 256)));
+  CHECK(same_bits(reference, render(tools::full_options(256), 12, 256)));
+  CHECK(same_bits(reference, render(tools::full_options(32), 12, 256)));
 }
 
 TEST_CASE("process never allocates, whatever the state") {
-  const EngineOptions options = tests::full_options();
-  Engine engine(options, tests::synthetic_sounds());
+  const EngineOptions options = tools::full_options();
+  Engine engine(options, tools::formula_sounds());
   std::vector<float> block(static_cast<std::size_t>(options.block * options.channels));
   const long before = tests::allocations();
-  for (int i = 0; i < 45000; ++i) engine.process(tests::drilled_hole(i * 64 / 48000.0), block.data());
+  for (int i = 0; i < 45000; ++i) engine.process(tools::drilled_hole(i * 64 / 48000.0), block.data());
   CHECK(tests::allocations() == before);
   CHECK(before > 0);  // the hook is in place: building the engine was counted
 }
 
 TEST_CASE("no state makes a sample exceed the ceiling or be anything but a number") {
-  EngineOptions options = tests::full_options();
+  EngineOptions options = tools::full_options();
   options.mix.drill_db = 24;
   options.mix.ceiling_dbfs = -3;
-  Engine engine(options, tests::synthetic_sounds());
+  Engine engine(options, tools::formula_sounds());
   std::vector<float> block(static_cast<std::size_t>(options.block * options.channels));
   const float ceiling = std::pow(10.0f, -3 / 20.0f) * 1.000001f;
   for (int i = 0; i < 20000; ++i) {
-    MachineState state = tests::drilled_hole(i * 64 / 48000.0);
+    MachineState state = tools::drilled_hole(i * 64 / 48000.0);
     if (i % 7 == 0) state.engine_rpm = NAN;
     if (i % 11 == 0) state.boom[0].feed_pressure_bar = -INFINITY;
     state.boom[0].controls.mean_amplitude_db = 500;
@@ -77,10 +77,10 @@ TEST_CASE("no state makes a sample exceed the ceiling or be anything but a numbe
 }
 
 TEST_CASE("a muted rig falls silent, fully, and comes back") {
-  const EngineOptions options = tests::full_options();
-  Engine engine(options, tests::synthetic_sounds());
+  const EngineOptions options = tools::full_options();
+  Engine engine(options, tools::formula_sounds());
   std::vector<float> block(static_cast<std::size_t>(options.block * options.channels));
-  MachineState state = tests::drilled_hole(20);
+  MachineState state = tools::drilled_hole(20);
   const auto run = [&](double seconds) {
     for (int i = 0; i < seconds * 750; ++i) engine.process(state, block.data());
     return engine.meters().peak;
@@ -93,7 +93,7 @@ TEST_CASE("a muted rig falls silent, fully, and comes back") {
 }
 
 TEST_CASE("the tool rings on the very sample of the click") {
-  SoundSet sounds = tests::synthetic_sounds();
+  SoundSet sounds = tools::formula_sounds();
   EngineOptions options;
   options.booms = {{"boom", 0, 0, 0}};
   sounds.backgrounds.clear();
@@ -117,9 +117,9 @@ TEST_CASE("the tool rings on the very sample of the click") {
 }
 
 TEST_CASE("options and sound sets that cannot work are refused by name") {
-  const SoundSet sounds = tests::synthetic_sounds();
+  const SoundSet sounds = tools::formula_sounds();
   const auto refused = [&sounds](auto change, const char* word) {
-    EngineOptions options = tests::full_options();
+    EngineOptions options = tools::full_options();
     SoundSet set = sounds;
     change(options, set);
     CHECK_THROWS_WITH_AS(Engine(options, set), doctest::Contains(word), std::invalid_argument);

@@ -2,11 +2,11 @@
 
 #include <cmath>
 
+#include "bench/formula_sounds.hpp"
 #include "scene/bank_choice.hpp"
 #include "scene/boom_scene.hpp"
 #include "scene/feed_rule.hpp"
 #include "scene/state_guard.hpp"
-#include "sounds/synthetic_sounds.hpp"
 
 using namespace rigsound;
 
@@ -75,8 +75,8 @@ TEST_CASE("the bank with the right rock and the nearest rod count is chosen") {
 }
 
 TEST_CASE("a crossfade has equal power at every chunk and takes crossfade_s") {
-  const SoundSet sounds = tests::synthetic_sounds();
-  const EngineOptions options = tests::full_options();
+  const SoundSet sounds = tools::formula_sounds();
+  const EngineOptions options = tools::full_options();
   scene::BoomScene boom(options, sounds);
   boom.latch(fed(90));
   for (int i = 0; i < 1000; ++i) boom.advance();
@@ -94,8 +94,8 @@ TEST_CASE("a crossfade has equal power at every chunk and takes crossfade_s") {
 }
 
 TEST_CASE("open rattling starts with its burst and settles") {
-  const SoundSet sounds = tests::synthetic_sounds();
-  const EngineOptions options = tests::full_options();
+  const SoundSet sounds = tools::formula_sounds();
+  const EngineOptions options = tools::full_options();
   scene::BoomScene boom(options, sounds);
   boom.latch(fed(0, Rattling::kOpen));
   const auto gain_after = [&](double seconds) {

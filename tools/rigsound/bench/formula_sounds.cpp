@@ -1,11 +1,11 @@
-#include "sounds/synthetic_sounds.hpp"
+#include "bench/formula_sounds.hpp"
 
 #include <cmath>
 #include <string>
 
 #include "dsp/random.hpp"
 
-namespace rigsound::tests {
+namespace rigsound::tools {
 namespace {
 
 struct Recipe {
@@ -50,7 +50,7 @@ ClickBank bank(Situation situation, double sample_rate) {
 
 }  // namespace
 
-SoundSet synthetic_sounds(double sample_rate) {
+SoundSet formula_sounds(double sample_rate) {
   SoundSet sounds;
   for (int s = 0; s < kSituationCount; ++s) {
     const auto situation = static_cast<Situation>(s);
@@ -95,4 +95,4 @@ MachineState drilled_hole(double second) {
   return state;
 }
 
-}  // namespace rigsound::tests
+}  // namespace rigsound::tools
