@@ -1,11 +1,30 @@
 #include "rigsound/analysis/chain.hpp"
 
+#include <fmt/format.h>
+
+#include <mutex>
+
 #include "clip_analysis.hpp"
+#include "rigsound/analysis/parallel.hpp"
+#include "segments.hpp"
 
 namespace rigsound::analysis {
 
 ChainResult run_chain(const std::vector<float>& mono, const ChainOptions& options) {
-  return analyse_clip(mono, options);
+  const std::vector<Segment> segments = plan_segments(static_cast<long>(mono.size()));
+  const int count = static_cast<int>(segments.size());
+  std::vector<ChainResult> results(segments.size());
+  std::mutex reporting;
+  int done = 0;
+  for_each_index(count, options.jobs, [&](int k) {
+    ChainOptions own = options;
+    if (count > 1 && !own.dump.empty()) own.dump /= fmt::format("segment_{:03}", k);
+    results[k] = analyse_clip({mono.begin() + segments[k].begin, mono.begin() + segments[k].end}, own);
+    const std::lock_guard lock(reporting);
+    ++done;
+    if (options.progress) options.progress(done, count);
+  });
+  return join_segments(segments, results);
 }
 
 }  // namespace rigsound::analysis

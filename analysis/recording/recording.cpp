@@ -65,7 +65,8 @@ void check_samples(const std::filesystem::path& path, const std::vector<float>& 
                      fmt::format("sample {} ({:.3f} s) is not a number, expected finite samples",
                                  bad - mono.begin(), static_cast<double>(bad - mono.begin()) / rate));
   const auto [low, high] = std::minmax_element(mono.begin(), mono.end());
-  if (*high - *low < 1e-6f) throw InputError(path.string(), "silent, expected a recording of drilling");
+  if (*high - *low < 1e-6f)
+    throw InputError(path.string(), "silent, no drilling found; expected a recording of drilling");
 }
 
 }  // namespace
@@ -79,7 +80,14 @@ Recording read_recording(const std::filesystem::path& path) {
     throw InputError(path.string(), fmt::format("cut off after {} of {} frames, expected the whole file",
                                                 mono.size(), info.frames));
   check_samples(path, mono, info.samplerate);
-  return {resample(mono, info.samplerate, static_cast<int>(kAnalysisRate)), info.samplerate, info.channels};
+  return {resample(mono, info.samplerate, static_cast<int>(kAnalysisRate)), info.samplerate, info.channels,
+          static_cast<long>(mono.size())};
+}
+
+std::vector<float> at_source_rate(const Recording& recording, const std::vector<float>& x) {
+  std::vector<float> y = resample(x, static_cast<int>(kAnalysisRate), recording.source_rate);
+  y.resize(static_cast<size_t>(recording.source_frames));
+  return y;
 }
 
 }  // namespace rigsound::analysis

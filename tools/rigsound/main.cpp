@@ -12,6 +12,8 @@ namespace {
 
 constexpr tools::AddVerb kVerbs[] = {
     tools::add_bench,
+    tools::add_clicks,
+    tools::add_denoise,
     tools::add_simulate,
 };
 

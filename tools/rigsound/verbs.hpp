@@ -8,6 +8,8 @@ namespace rigsound::tools {
 using AddVerb = void (*)(CLI::App& app);
 
 void add_bench(CLI::App& app);
+void add_clicks(CLI::App& app);
+void add_denoise(CLI::App& app);
 void add_simulate(CLI::App& app);
 
 }  // namespace rigsound::tools

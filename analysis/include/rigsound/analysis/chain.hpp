@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,22 +16,27 @@ enum class Method { kClickNmf, kPaper };
 
 struct ChainOptions {
   Method method = Method::kClickNmf;
-  bool denoise = true;              ///< false: the recording is taken as clean
-  unsigned seed = 0;                ///< of the random start of the factorisation
-  std::filesystem::path dump;       ///< folder for intermediate signals; empty: none
+  bool denoise = true;         ///< false: the recording is taken as clean
+  unsigned seed = 0;           ///< of the random start of the factorisation
+  std::filesystem::path dump;  ///< folder for intermediate signals; empty: none
+  int jobs = 1;  ///< threads for the segments of a long recording; the result is the same for any number
+  std::function<void(int done, int total)>
+      progress;  ///< after each segment, from any of the threads but one at a time
 };
 
 struct ChainResult {
   bool drilling_found = false;
-  std::string reason;               ///< why not, when nothing was found
+  std::string reason;  ///< why not, when nothing was found
   ClickTrain clicks;
-  std::vector<float> drilling;      ///< the recording without its background, same length and level
-  std::vector<double> signal_psd;   ///< mean modelled power of the drilling, per STFT bin (257 bins)
-  std::vector<double> noise_psd;    ///< the same for the background
-  std::vector<double> output_psd;   ///< mean power of the denoised output, same bins
+  std::vector<float> drilling;     ///< the recording without its background, same length and level
+  std::vector<double> signal_psd;  ///< mean modelled power of the drilling, per STFT bin (257 bins)
+  std::vector<double> noise_psd;   ///< the same for the background
+  std::vector<double> output_psd;  ///< mean power of the denoised output, same bins
 };
 
-/// Runs denoising and click detection on `mono` (48 kHz, full scale 1). Deterministic. Thread: OFF.
+/// Runs denoising and click detection on `mono` (48 kHz, full scale 1). More than 4 s are analysed in
+/// overlapping segments of 2 to 4 s and joined. Deterministic. Errors: DeviceError when the dump cannot be
+/// written. Thread: OFF.
 ChainResult run_chain(const std::vector<float>& mono, const ChainOptions& options);
 
 }  // namespace rigsound::analysis

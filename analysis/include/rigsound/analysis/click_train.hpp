@@ -13,10 +13,11 @@ struct ClickEnvelope {
 };
 
 struct ClickTrain {
-  std::vector<int> P;         ///< onsets, samples, ascending
-  std::vector<double> beta;   ///< amplitude of each click in the whitened signal, same length as P
+  std::vector<int> P;        ///< onsets, samples, ascending
+  std::vector<double> beta;  ///< amplitude of each click as heard through the whitening, scaled so that
+                             ///< the train's energy is the drilling's (full scale 1); same length as P
   ClickEnvelope envelope;
-  double T_0 = 0;             ///< period the detector settled on, samples
+  double T_0 = 0;  ///< period the detector settled on, samples
 };
 
 }  // namespace rigsound::analysis

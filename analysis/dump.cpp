@@ -1,0 +1,35 @@
+#include "dump.hpp"
+
+#include <fmt/format.h>
+
+#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/wave_file.hpp"
+#include "rigsound/device_error.hpp"
+#include "rigsound/file/atomic_file.hpp"
+
+namespace rigsound::analysis {
+
+Dump::Dump(std::filesystem::path folder) : folder_(std::move(folder)) {
+  if (folder_.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(folder_, error);
+  if (error) throw DeviceError(folder_.string() + ": cannot be created: " + error.message());
+}
+
+void Dump::signal(const std::string& name, const Eigen::ArrayXd& samples) const {
+  if (folder_.empty()) return;
+  write_wave(folder_ / (name + ".wav"), std::vector<double>(samples.begin(), samples.end()),
+             static_cast<int>(kAnalysisRate));
+}
+
+void Dump::table(const std::string& name, const std::string& header, const Eigen::ArrayXXd& table) const {
+  if (folder_.empty()) return;
+  std::string text = header + "\n";
+  for (const auto& row : table.rowwise()) {
+    for (long c = 0; c < row.size(); ++c) text += fmt::format(c ? ",{:.9g}" : "{:.9g}", row(c));
+    text += "\n";
+  }
+  write_file(folder_ / (name + ".csv"), text);
+}
+
+}  // namespace rigsound::analysis

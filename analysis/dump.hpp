@@ -1,0 +1,26 @@
+// Intermediate signals on disk, for people who want to look inside a step.
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rigsound::analysis {
+
+/// Writes into one folder, or nowhere when it has none. Errors: DeviceError. Thread: OFF.
+class Dump {
+ public:
+  explicit Dump(std::filesystem::path folder);
+
+  /// NAME.wav at kAnalysisRate.
+  void signal(const std::string& name, const Eigen::ArrayXd& samples) const;
+
+  /// NAME.csv: `header`, then one row for each row of `table`.
+  void table(const std::string& name, const std::string& header, const Eigen::ArrayXXd& table) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace rigsound::analysis

@@ -1,0 +1,26 @@
+// Long recordings: cut into overlapping segments, analysed one by one, joined without a seam.
+#pragma once
+
+#include <vector>
+
+#include "rigsound/analysis/chain.hpp"
+
+namespace rigsound::analysis {
+
+/// Samples [begin, end) of the recording; neighbours overlap.
+struct Segment {
+  long begin = 0, end = 0;
+};
+
+/// One segment up to 4 s, else segments of 2.3 to 3.5 s that overlap by kSegmentOverlap. Thread: OFF.
+std::vector<Segment> plan_segments(long length);
+
+constexpr long kSegmentOverlap = 24000;  ///< samples, half a second
+
+/// One result from those of the segments (same order). Sound is crossfaded over the overlaps. In an overlap
+/// both segments know the clicks: the left one's count up to a click that both found, the right one's from
+/// there on, so none is lost or counted twice. Envelope: the median over the segments with drilling. Thread:
+/// OFF.
+ChainResult join_segments(const std::vector<Segment>& segments, const std::vector<ChainResult>& results);
+
+}  // namespace rigsound::analysis

@@ -1,0 +1,51 @@
+#include "chain_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "progress_bar.hpp"
+
+namespace rigsound::tools {
+
+using namespace analysis;
+
+void add_chain_arguments(CLI::App& verb, ChainArguments& arguments) {
+  arguments.jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  verb.add_option("input", arguments.input,
+                  "recording: any format of libsndfile, mono or stereo, 16 kHz or more")
+      ->required()
+      ->type_name("IN.wav");
+  verb.add_option("--method", arguments.method, "click-nmf, or paper: the drilling paper's own chain")
+      ->check(CLI::IsMember({"click-nmf", "paper"}))
+      ->capture_default_str();
+  verb.add_option("--jobs", arguments.jobs, "threads; the result does not depend on their number")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  verb.add_option("--dump", arguments.dump, "folder for the intermediate signals")->type_name("DIR");
+}
+
+Recording read_input(const ChainArguments& arguments) {
+  Recording recording = read_recording(arguments.input);
+  if (recording.source_channels > 1)
+    fmt::print(stderr, "{}: {} channels mixed down to one\n", arguments.input, recording.source_channels);
+  return recording;
+}
+
+ChainResult run_chain(const Recording& recording, const ChainArguments& arguments, Denoising denoising) {
+  ProgressBar bar;
+  ChainOptions options;
+  options.method = arguments.method == "paper" ? Method::kPaper : Method::kClickNmf;
+  options.denoise = denoising == Denoising::kOn;
+  options.dump = arguments.dump;
+  options.jobs = arguments.jobs;
+  options.progress = [&bar](int done, int total) { bar.show(done, total); };
+  return analysis::run_chain(recording.mono, options);
+}
+
+void report_nothing_found(const ChainArguments& arguments, const ChainResult& result) {
+  fmt::print(stderr, "{}: no drilling found: {}\n", arguments.input, result.reason);
+}
+
+}  // namespace rigsound::tools

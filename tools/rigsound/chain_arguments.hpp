@@ -1,0 +1,33 @@
+// What `denoise` and `clicks` have in common: reading a recording and running the chain on it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/recording.hpp"
+
+namespace rigsound::tools {
+
+struct ChainArguments {
+  std::string input;
+  std::string method = "click-nmf";
+  std::string dump;
+  int jobs = 1;
+};
+
+/// IN.wav, --method, --jobs and --dump.
+void add_chain_arguments(CLI::App& verb, ChainArguments& arguments);
+
+/// Reads the recording; tells on stderr when its channels were mixed down. Errors: InputError.
+analysis::Recording read_input(const ChainArguments& arguments);
+
+/// Runs the chain with a progress bar. `denoise` false takes the recording as clean.
+enum class Denoising { kOn, kOff };
+analysis::ChainResult run_chain(const analysis::Recording& recording, const ChainArguments& arguments,
+                                Denoising denoising);
+
+/// The line on stderr for a recording without drilling.
+void report_nothing_found(const ChainArguments& arguments, const analysis::ChainResult& result);
+
+}  // namespace rigsound::tools
