@@ -48,7 +48,7 @@ struct Engine::Rooms {
       : options(o),
         sounds(std::move(s)),
         rig(options),
-        background(sounds.backgrounds, options.sample_rate, options.seed),
+        background(sounds.backgrounds, options.sample_rate, options.seed, options.scene.idle_rpm),
         mixer(options) {
     for (int b = 0; b < static_cast<int>(options.booms.size()); ++b) booms.emplace_back(options, sounds, b);
   }

@@ -28,6 +28,25 @@ const nlohmann::json& JsonFile::value(std::string_view key) const {
   return *it;
 }
 
+JsonFile JsonFile::inside(std::string_view path, const nlohmann::json& item) const {
+  if (!item.is_object()) fail(path, std::string("is ") + item.type_name() + ", expected an object { }");
+  JsonFile copy = *this;
+  copy.path_ = path_ + std::string(path) + ".";
+  copy.root_ = item;
+  return copy;
+}
+
+JsonFile JsonFile::object(std::string_view key) const { return inside(key, value(key)); }
+
+std::vector<JsonFile> JsonFile::objects(std::string_view key) const {
+  const nlohmann::json& list = value(key);
+  if (!list.is_array()) fail(key, std::string("is ") + list.type_name() + ", expected a list of objects");
+  std::vector<JsonFile> found;
+  for (const nlohmann::json& item : list)
+    found.push_back(inside(std::string(key) + "[" + std::to_string(found.size()) + "]", item));
+  return found;
+}
+
 double JsonFile::number(std::string_view key, double min, double max) const {
   const nlohmann::json& v = value(key);
   const std::string expected = "expected a number " + range_text(min, max);
@@ -69,7 +88,7 @@ void JsonFile::require_format(int format) const {
 }
 
 void JsonFile::fail(std::string_view key, std::string_view message) const {
-  throw InputError(file_, line_of(key), key, message);
+  throw InputError(file_, line_of(key), path_ + std::string(key), message);
 }
 
 int JsonFile::line_of(std::string_view key) const {

@@ -1,11 +1,14 @@
 #include "rigsound/config/background_files.hpp"
 
-#include <nlohmann/json.hpp>
+#include <cmath>
+#include <stdexcept>
+#include <string>
 
-#include "json/json_file.hpp"
 #include "rigsound/file/atomic_file.hpp"
 #include "rigsound/file/atomic_folder.hpp"
 #include "rigsound/input_error.hpp"
+#include "sound_set/background_json.hpp"
+#include "sound_set/mono_wav.hpp"
 #include "sound_set/names.hpp"
 
 namespace rigsound::config {
@@ -13,7 +16,48 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kBackgroundFormat = 1;
+fs::path grains_file(std::size_t point) { return "grains_" + std::to_string(point + 1) + ".wav"; }
+
+std::size_t grain_samples(const BackgroundModel& model) {
+  return static_cast<std::size_t>(model.N_theta * (1 + kGrainOverlap));
+}
+
+void save_sounds(const fs::path& folder, const BackgroundModel& model) {
+  for (std::size_t i = 0; i < model.points.size(); ++i) {
+    const BackgroundPoint& point = model.points[i];
+    if (point.grains.empty()) continue;
+    std::vector<float> row;
+    for (const auto& grain : point.grains) row.insert(row.end(), grain.begin(), grain.end());
+    // The rate at which an editor plays the cycles at their own speed.
+    write_mono_wav(folder / grains_file(i), row,
+                   static_cast<int>(std::lround(model.N_theta * point.rpm / 120)));
+  }
+  const int rate = static_cast<int>(std::lround(model.sample_rate));
+  if (!model.start.empty()) write_mono_wav(folder / "start.wav", model.start, rate);
+  if (!model.stop.empty()) write_mono_wav(folder / "stop.wav", model.stop, rate);
+}
+
+std::vector<std::vector<float>> load_grains(const fs::path& file, std::size_t samples) {
+  std::vector<std::vector<float>> grains;
+  if (!fs::exists(file)) return grains;
+  const std::vector<float> row = read_mono_wav(file).samples;
+  if (row.size() % samples != 0)
+    throw InputError(file.string(), std::to_string(row.size()) + " samples, expected a multiple of " +
+                                        std::to_string(samples) + " (1.25 N_theta)");
+  for (auto at = row.begin(); at != row.end(); at += static_cast<std::ptrdiff_t>(samples))
+    grains.emplace_back(at, at + static_cast<std::ptrdiff_t>(samples));
+  return grains;
+}
+
+std::vector<float> load_shot(const fs::path& file, double sample_rate) {
+  if (!fs::exists(file)) return {};
+  MonoWav wav = read_mono_wav(file);
+  if (wav.sample_rate != static_cast<int>(std::lround(sample_rate)))
+    throw InputError(file.string(), std::to_string(wav.sample_rate) +
+                                        " Hz, expected the sample_rate of background.json, " +
+                                        std::to_string(std::lround(sample_rate)) + " Hz");
+  return std::move(wav.samples);
+}
 
 }  // namespace
 
@@ -22,28 +66,27 @@ void save_background(const fs::path& sound_set, const BackgroundModel& backgroun
   if (!is_name(background.name))
     throw InputError(sound_set.string(), 0, background.name,
                      "is no background name, " + std::string(kNameRule));
-  nlohmann::ordered_json json;
-  json["format"] = kBackgroundFormat;
-  json["rpm"] = background.rpm;
-  json["order_amplitude"] = background.order_amplitude;
-  json["noise_level"] = background.noise_level;
   AtomicFolder files(folder);
-  write_file(files.temporary() / "background.json", json.dump(2) + "\n");
+  write_file(files.temporary() / "background.json", background_json(background));
+  save_sounds(files.temporary(), background);
   load_background(files.temporary());  // what the loader would refuse is refused before it is in place
   files.commit();
 }
 
 BackgroundModel load_background(const fs::path& folder) {
-  const JsonFile json(folder / "background.json");
-  json.require_format(kBackgroundFormat);
-  BackgroundModel background;
-  background.name = folder.filename().string();
-  background.rpm = json.number("rpm", 100, 8000);
-  background.order_amplitude = json.floats("order_amplitude", 0, 10);
-  background.noise_level = static_cast<float>(json.number("noise_level", 0, 10));
-  if (background.order_amplitude.empty())
-    json.fail("order_amplitude", "is empty, expected at least one order");
-  return background;
+  const fs::path file = folder / "background.json";
+  BackgroundModel model = read_background_json(file);
+  model.name = folder.filename().string();
+  for (std::size_t i = 0; i < model.points.size(); ++i)
+    model.points[i].grains = load_grains(folder / grains_file(i), grain_samples(model));
+  model.start = load_shot(folder / "start.wav", model.sample_rate);
+  model.stop = load_shot(folder / "stop.wav", model.sample_rate);
+  try {
+    require_valid(model);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(file.string(), error.what());
+  }
+  return model;
 }
 
 }  // namespace rigsound::config

@@ -2,51 +2,178 @@
 
 #include <algorithm>
 
+#include "background/crank.hpp"
+#include "background/high_layer.hpp"
+#include "background/hydraulic_voice.hpp"
+#include "background/low_layer.hpp"
+#include "background/rpm_tracker.hpp"
+#include "background/start_stop.hpp"
+#include "dsp/butterworth.hpp"
+#include "rigsound/dsp/interpolation_kernel.hpp"
+#include "rigsound/dsp/linear_prediction.hpp"
+
 namespace rigsound::background {
 namespace {
 
-constexpr std::size_t kCycle = 4096;    // samples a cycle
-constexpr double kRpmSmoothing = 0.98;  // per chunk
-constexpr double kNoisePole = 0.9;
-constexpr double kRunning_rpm = 300;  // below it the engine is being cranked or dies away
+constexpr int kTaps = 16, kPhases = 256;
+constexpr double kBeta = 8;
+constexpr int kMaxSpan = 512;       // angle samples a chunk reaches over at 4000 r/min and 32 kHz
+constexpr double kMaxSlope = 6000;  // r/min a second; no flywheel is faster
+constexpr double kOverdue = 1.5;    // message intervals after which silence means "unchanged"
+constexpr double kLowest_rpm = 1;
+
+const BackgroundModel& checked(const BackgroundModel& model) {
+  require_valid(model);
+  return model;
+}
+
+bool one_load(const BackgroundModel& model) {
+  return std::all_of(model.points.begin(), model.points.end(),
+                     [&](const BackgroundPoint& p) { return p.load == model.points.front().load; });
+}
 
 }  // namespace
 
-BackgroundLayer::BackgroundLayer(const std::vector<BackgroundModel>& models, double sample_rate,
-                                 std::uint64_t seed)
-    : sample_rate_(sample_rate), random_(seed, 4), cycle_(kCycle + 1, 0.0) {
-  if (models.empty()) return;
-  const BackgroundModel& model = models.front();
-  model_rpm_ = model.rpm;
-  noise_level_ = static_cast<double>(model.noise_level);
-  for (std::size_t k = 0; k < model.order_amplitude.size(); ++k) {
-    const double phase = dsp::kTwoPi * random_.uniform(k, 0);
-    const auto amplitude = static_cast<double>(model.order_amplitude[k]);
-    for (std::size_t n = 0; n <= kCycle; ++n)
-      cycle_[n] +=
-          amplitude * dsp::cos(dsp::kTwoPi * static_cast<double>((k + 1) * n % kCycle) / kCycle + phase);
+class BackgroundLayer::Voice {
+ public:
+  Voice(BackgroundModel model, double sample_rate, std::uint64_t seed, double idle_rpm)
+      : model_(std::move(model)),
+        sample_rate_(sample_rate),
+        load_slope_db_(one_load(checked(model_)) ? model_.load_slope_db : 0.0),
+        grid_(model_, sample_rate),
+        kernel_(kTaps, kPhases, kBeta),
+        high_(model_, sample_rate, seed),
+        low_(model_, seed),
+        body_(dsp::all_pole_at_rate({model_.A.begin(), model_.A.end()}, model_.sample_rate, sample_rate)),
+        over_(dsp::Pass::kHigh, model_.f_x, sample_rate),
+        under_(dsp::Pass::kLow, model_.f_x, sample_rate),
+        tones_(model_.oscillators, sample_rate, seed, 46),
+        hydraulic_(model_, sample_rate, seed),
+        start_stop_(model_, sample_rate, idle_rpm) {}
+
+  void process(const BackgroundControls& controls, double* out) noexcept;
+
+ private:
+  void follow(double rpm) noexcept;
+  void engine(double* out) noexcept;
+  void table_segment(const AngleSpan& span, int count, double* out) noexcept;
+
+  BackgroundModel model_;
+  double sample_rate_, load_slope_db_;
+  OperatingGrid grid_;
+  dsp::InterpolationKernel kernel_;
+  HighLayer high_;
+  LowLayer low_;
+  dsp::AllPole body_;
+  dsp::Butterworth6 over_, under_;
+  ToneBank tones_;
+  HydraulicVoice hydraulic_;
+  StartStop start_stop_;
+  RpmTracker tracker_;
+  Crank crank_;
+  OperatingPoint at_;
+  GridPlace before_;
+  double message_rpm_ = 0, rpm_from_ = 0, rpm_to_ = 0, load_gain_ = 1;
+  std::int64_t chunk_ = 0;
+  AngleSpan fine_, coarse_;
+};
+
+/// The bus only says the newest value: a change is a message, and so is a silence longer than usual.
+void BackgroundLayer::Voice::follow(double rpm) noexcept {
+  const double now = static_cast<double>(chunk_) * kChunk / sample_rate_;
+  const bool overdue = now - tracker_.last_time() > kOverdue * tracker_.interval();
+  if (rpm != message_rpm_ || overdue) tracker_.message(now, rpm);
+  message_rpm_ = rpm;
+  ++chunk_;
+  const double step = kMaxSlope * kChunk / sample_rate_;
+  const double wanted = std::min(tracker_.at(now + kChunk / sample_rate_), 4000.0);
+  rpm_from_ = rpm_to_;
+  rpm_to_ = std::clamp(wanted, rpm_from_ - step, rpm_from_ + step);
+  if (rpm == 0 && rpm_to_ < kLowest_rpm) rpm_to_ = 0;
+}
+
+void BackgroundLayer::Voice::table_segment(const AngleSpan& span, int count, double* out) noexcept {
+  const auto mixed = [&](const GridPlace& place, double* y) {
+    const int N = model_.N_theta;
+    int from = static_cast<int>((span.base + kernel_.first() + N) % N), done = 0;
+    while (done < count) {
+      const int run = std::min(count - done, N - from);
+      grid_.mix(place, &OperatingState::table, from, run, y + done);
+      done += run, from = 0;
+    }
+  };
+  mixed(at_.place, out);
+  if (before_.index == at_.place.index && before_.weight == at_.place.weight) return;
+  // From the place of the last chunk to this one sample by sample: a change at once would buzz.
+  std::array<double, kMaxSpan> old;
+  mixed(before_, old.data());
+  for (int i = 0; i < count; ++i)
+    out[i] = old[static_cast<std::size_t>(i)] + (out[i] - old[static_cast<std::size_t>(i)]) * (i + 1) / count;
+}
+
+void BackgroundLayer::Voice::engine(double* out) noexcept {
+  crank_.turn(rpm_from_ / 120, rpm_to_ / 120, sample_rate_);
+  crank_.span(model_.N_theta, fine_);
+  crank_.span(model_.P_lo, coarse_);
+  const int fine_count = fine_.count + kTaps, coarse_count = coarse_.count + kTaps;
+  high_.produce(fine_.base + kernel_.first() + fine_count, grid_, at_);
+  low_.produce(coarse_.base + kernel_.first() + coarse_count, grid_, at_.place);
+
+  std::array<double, kMaxSpan> table, high, low;
+  table_segment(fine_, fine_count, table.data());
+  high_.ring().read(fine_.base + kernel_.first(), fine_count, high.data());
+  low_.ring().read(coarse_.base + kernel_.first(), coarse_count, low.data());
+
+  std::array<double, kTaps> w;
+  for (std::size_t n = 0; n < kChunk; ++n) {
+    kernel_.weights(fine_.fraction[n], w.data());
+    const double orders = dsp::dot(w.data(), table.data() + fine_.offset[n], kTaps);
+    const double rough =
+        over_.process(body_.process(dsp::dot(w.data(), high.data() + fine_.offset[n], kTaps)));
+    kernel_.weights(coarse_.fraction[n], w.data());
+    const double soft = under_.process(dsp::dot(w.data(), low.data() + coarse_.offset[n], kTaps));
+    out[n] = orders + soft + rough;
   }
 }
 
-void BackgroundLayer::process(const BackgroundControls& controls, double* out) noexcept {
-  if (controls.rpm < 1 && level_ < 1e-6) {
-    std::fill(out, out + kChunk, 0.0);
-    rpm_ = controls.rpm;
-    return;
-  }
+void BackgroundLayer::Voice::process(const BackgroundControls& controls, double* out) noexcept {
+  std::fill(out, out + kChunk, 0.0);
+  follow(controls.rpm);
+  double shot[kChunk] = {};
+  start_stop_.advance(rpm_to_, shot);
+  if (start_stop_.silent() && start_stop_.gain_from() == 0) return;
+
+  const double rpm = 0.5 * (rpm_from_ + rpm_to_);
+  before_ = at_.place;
+  at_ = {grid_.place(rpm, controls.load), rpm, controls.load};
+  engine(out);
+  tones_.add(rpm / 120, 1, out);
+  const double gain_before = load_gain_;
+  load_gain_ = load_slope_db_ == 0
+                   ? 1.0
+                   : dsp::gain_of_db(load_slope_db_ * (controls.load - model_.points.front().load));
   for (int n = 0; n < kChunk; ++n) {
-    angle_ += rpm_ / (120 * sample_rate_);
-    if (angle_ >= 1) angle_ -= 1;
-    const double position = angle_ * kCycle;
-    const auto i = static_cast<std::size_t>(position);
-    const double fraction = position - std::floor(position);
-    const double tone = cycle_[i] + (cycle_[i + 1] - cycle_[i]) * fraction;
-    noise_ = noise_ * kNoisePole + (random_.uniform(sample_++, 1) - 0.5) * (1 - kNoisePole) * 12;
-    out[n] = level_ * (tone + noise_level_ * (0.4 + controls.feed) * noise_);
+    const double way = (n + 1.0) / kChunk;
+    const double gain = start_stop_.gain_from() + (start_stop_.gain_to() - start_stop_.gain_from()) * way;
+    out[n] *= gain * (gain_before + (load_gain_ - gain_before) * way);
   }
-  rpm_ = controls.rpm + (rpm_ - controls.rpm) * kRpmSmoothing;
-  const double level = std::min(1.0, rpm_ / kRunning_rpm) * (0.7 + 0.6 * controls.load);
-  level_ = level + (level_ - level) * kRpmSmoothing;
+  hydraulic_.add(rpm / 120, controls.feed, start_stop_.gain_to(), out);
+  for (int n = 0; n < kChunk; ++n) out[n] += shot[n];
+}
+
+BackgroundLayer::BackgroundLayer(const std::vector<BackgroundModel>& models, double sample_rate,
+                                 std::uint64_t seed, double idle_rpm) {
+  if (!models.empty()) voice_ = std::make_unique<Voice>(models.front(), sample_rate, seed, idle_rpm);
+}
+BackgroundLayer::~BackgroundLayer() = default;
+BackgroundLayer::BackgroundLayer(BackgroundLayer&&) noexcept = default;
+BackgroundLayer& BackgroundLayer::operator=(BackgroundLayer&&) noexcept = default;
+
+void BackgroundLayer::process(const BackgroundControls& controls, double* out) noexcept {
+  if (voice_)
+    voice_->process(controls, out);
+  else
+    std::fill(out, out + kChunk, 0.0);
 }
 
 }  // namespace rigsound::background

@@ -1,17 +1,87 @@
 // The diesel and its hydraulics, as the background layer plays them.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <complex>
 #include <string>
 #include <vector>
 
 namespace rigsound {
 
-/// Harmonic-plus-noise engine at one operating point. Orders count cycles of 720 degrees crank angle.
+constexpr int kMaxBackgroundAngle = 8192;  ///< largest N_theta
+constexpr double kGrainOverlap = 0.25;     ///< of a cycle, equal power
+
+/// The engine at one speed and load. Angles count cycles of 720 degrees of crank; the cycles of all points of
+/// a model begin at the same crank angle. Levels: full scale = 1.
+struct BackgroundPoint {
+  std::string source;                  ///< recording it was learned from
+  double rpm = 900;                    ///< r/min, 400...3000
+  double load = 0;                     ///< 0...1
+  std::vector<std::complex<float>> C;  ///< orders 1, 2, ...: sum_k Re(C_k exp(2 pi i k theta))
+  std::vector<float> v_lo;  ///< (N + 1) x P_lo: variance per scale n = 1...N, then the scaling band
+  std::vector<float> v_hi;  ///< L x bands: variance of the whitened MDCT coefficients, per slot
+  std::vector<float> s2;    ///< L: variance of the logarithm of the slot's power, 0...1.5
+  double rho = 0;           ///< correlation of that logarithm from slot to slot, 0...0.9
+  std::vector<std::vector<float>> grains;  ///< cycles of the whitened high layer, (1 + overlap) N_theta each
+};
+
+/// E(f): what the body adds to every order, dB at f_k = f_min * 2^(k / per_octave). Empty: unknown, flat.
+struct BodyResponse {
+  double f_min = 30;
+  int per_octave = 18;
+  std::vector<float> db;
+};
+
+/// A line that is not locked to the cycle.
+struct BackgroundOscillator {
+  double frequency = 0;  ///< orders (cycles a cycle) or Hz
+  bool order_locked = false;
+  double amplitude = 0;     ///< linear peak
+  double linewidth_hz = 0;  ///< its phase walks at random by 2 pi * linewidth rad^2 a second
+};
+
+/// Pump and oil flow: stationary coloured noise plus pump orders. Its gain follows the feed pressure.
+struct HydraulicPart {
+  double pump_order = 18;     ///< strokes a cycle of 720 degrees: nine pistons at engine speed
+  std::vector<float> pump;    ///< peak amplitude of the harmonics of the pump order, linear
+  double flow = 0;            ///< rms of the flow noise, linear
+  std::vector<float> flow_A;  ///< colour of the flow noise, a[0] = 1 ... a[p], at `sample_rate`
+  double exponent = 0.7;      ///< gain = (feed pressure / overfeed pressure) ^ exponent
+};
+
+/// One machine: points joined in the order domain, and what they share.
 struct BackgroundModel {
   std::string name;
-  double rpm = 900;                     ///< r/min at which it was learned
-  std::vector<float> order_amplitude;   ///< linear peak amplitude of order k + 1, full scale = 1
-  float noise_level = 0;                ///< RMS of the noise part, full scale = 1
+  double sample_rate = 48000;  ///< Hz, of A, the hydraulic colour and the one-shots
+  int N_theta = 4096;          ///< angle samples a cycle, a power of two, 1024...8192
+  int L = 64;                  ///< slots a cycle, a power of two, 16...256; M = N_theta / L
+  int P_lo = 256;              ///< channels of the low layer, a power of two
+  int N = 3;                   ///< its wavelet scales, 0...4
+  double f_x = 400;            ///< Hz, crossover of low and high layer, 200...800
+  std::vector<float> A;        ///< a[0] = 1 ... a[p]: 1/A(z) is the body above f_x
+  BodyResponse E;
+  double load_slope_db = 5;             ///< level over load while all points have one load, dB from 0 to 1
+  std::vector<BackgroundPoint> points;  ///< at least one
+  std::vector<BackgroundOscillator> oscillators;
+  HydraulicPart hydraulic;
+  std::vector<float> start, stop;  ///< one-shots; empty: the engine fades with its speed
+
+  int M() const { return N_theta / L; }
 };
+
+/// Throws std::invalid_argument naming the field whose shape or range the voice cannot play. Thread: OFF.
+void require_valid(const BackgroundModel& model);
+
+/// Edges of the bands in which v_hi is pooled, 1/6 octave wide and at least one channel: 0 ... M. Thread:
+/// OFF.
+inline std::vector<int> slot_band_edges(int M) {
+  std::vector<int> edges = {0};
+  while (edges.back() < M) {
+    const int width = static_cast<int>(std::floor(edges.back() * 0.122462048309373 + 0.5));  // 2^(1/6) - 1
+    edges.push_back(std::min(M, edges.back() + (width > 1 ? width : 1)));
+  }
+  return edges;
+}
 
 }  // namespace rigsound

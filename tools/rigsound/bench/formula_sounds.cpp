@@ -4,6 +4,7 @@
 #include <string>
 
 #include "dsp/random.hpp"
+#include "rigsound/default_background.hpp"
 
 namespace rigsound::tools {
 namespace {
@@ -60,12 +61,7 @@ SoundSet formula_sounds(double sample_rate) {
   ToolModel tool;
   tool.name = "steel";
   sounds.tools.push_back(tool);
-  BackgroundModel diesel;
-  diesel.name = "diesel";
-  for (int k = 1; k <= 60; ++k)
-    diesel.order_amplitude.push_back(static_cast<float>((k % 3 == 0 ? 0.05 : 0.01) / k));
-  diesel.noise_level = 0.02f;
-  sounds.backgrounds.push_back(diesel);
+  sounds.backgrounds.push_back(default_background());
   return sounds;
 }
 

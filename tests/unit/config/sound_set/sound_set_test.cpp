@@ -7,6 +7,7 @@
 #include "rigsound/config/bank_files.hpp"
 #include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/config/tool_files.hpp"
+#include "rigsound/default_background.hpp"
 #include "rigsound/input_error.hpp"
 #include "temporary_folder.hpp"
 
@@ -64,9 +65,8 @@ TEST_CASE("a sound set loads at the engine's rate, each bank once, its trims add
   tool.name = "hex25";
   tool.length_m = 0.45;
   config::save_tool(set.path, tool);
-  BackgroundModel diesel;
+  BackgroundModel diesel = default_background();
   diesel.name = "diesel";
-  diesel.order_amplitude = {0.1F, 0.02F};
   config::save_background(set.path, diesel);
   index.tools = {"hex25"};
   index.backgrounds = {"diesel"};
@@ -87,7 +87,7 @@ TEST_CASE("a sound set loads at the engine's rate, each bank once, its trims add
   REQUIRE(loaded.tools.size() == 1);
   CHECK(loaded.tools[0].length_m == 0.45);
   REQUIRE(loaded.backgrounds.size() == 1);
-  CHECK(loaded.backgrounds[0].order_amplitude == diesel.order_amplitude);
+  CHECK(loaded.backgrounds[0].name == "diesel");
 }
 
 TEST_CASE("a sound set that cannot be played says what is wrong and where") {

@@ -1,0 +1,31 @@
+// The last angle samples that a layer has produced.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace rigsound::background {
+
+/// Positions count angle samples since the start and never wrap; before position 0 there is silence.
+class AngleRing {
+ public:
+  /// Holds the last `size` samples, a power of two. Thread: OFF.
+  explicit AngleRing(int size) : samples_(static_cast<std::size_t>(size), 0.0), mask_(size - 1) {}
+
+  std::int64_t end() const noexcept { return end_; }  ///< first position not yet produced
+
+  void push(const double* values, int count) noexcept {  ///< Thread: RT
+    for (int i = 0; i < count; ++i, ++end_) samples_[static_cast<std::size_t>(end_ & mask_)] = values[i];
+  }
+
+  void read(std::int64_t first, int count, double* out) const noexcept {  ///< Thread: RT
+    for (int i = 0; i < count; ++i) out[i] = samples_[static_cast<std::size_t>((first + i) & mask_)];
+  }
+
+ private:
+  std::vector<double> samples_;
+  std::int64_t mask_, end_ = 0;
+};
+
+}  // namespace rigsound::background

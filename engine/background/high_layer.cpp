@@ -1,0 +1,27 @@
+#include "background/high_layer.hpp"
+
+#include <algorithm>
+
+namespace rigsound::background {
+
+HighLayer::HighLayer(const BackgroundModel& model, double sample_rate, std::uint64_t seed)
+    : ring_(1024), slot_(static_cast<std::size_t>(model.M())) {
+  const bool clean = std::all_of(model.points.begin(), model.points.end(),
+                                 [](const BackgroundPoint& p) { return !p.grains.empty(); });
+  if (clean)
+    grains_.emplace(model, seed);
+  else
+    slots_.emplace(model, sample_rate, seed);
+}
+
+void HighLayer::produce(std::int64_t end, const OperatingGrid& grid, const OperatingPoint& at) noexcept {
+  while (ring_.end() < end) {
+    if (grains_)
+      grains_->produce(at.rpm, at.load, slot_.data());
+    else
+      slots_->produce(grid, at.place, at.rpm / 120, slot_.data());
+    ring_.push(slot_.data(), static_cast<int>(slot_.size()));
+  }
+}
+
+}  // namespace rigsound::background

@@ -1,0 +1,78 @@
+#include "background/start_stop.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dsp/elementary.hpp"
+#include "rigsound/dsp/interpolation_kernel.hpp"
+#include "rigsound/limits.hpp"
+
+namespace rigsound::background {
+namespace {
+
+constexpr double kFade_s = 0.04;
+constexpr double kHandover_s = 0.3;  // before the start's end the running engine comes in
+constexpr double kTurning_rpm = 20;  // from here on somebody cranks
+
+std::vector<float> at_rate(const std::vector<float>& x, double from, double to) {
+  if (from == to || x.empty()) return x;
+  const dsp::InterpolationKernel kernel(32, 256, 10, std::min(1.0, to / from) * 0.92);
+  std::vector<double> w(static_cast<std::size_t>(kernel.taps()));
+  std::vector<float> y(static_cast<std::size_t>(static_cast<double>(x.size()) * to / from));
+  for (std::size_t n = 0; n < y.size(); ++n) {
+    const double position = static_cast<double>(n) * from / to;
+    const double whole = std::floor(position);
+    kernel.weights(position - whole, w.data());
+    double sum = 0;
+    for (int k = 0; k < kernel.taps(); ++k) {
+      const auto i = static_cast<std::ptrdiff_t>(whole) + kernel.first() + k;
+      if (i >= 0 && i < static_cast<std::ptrdiff_t>(x.size()))
+        sum += w[static_cast<std::size_t>(k)] * static_cast<double>(x[static_cast<std::size_t>(i)]);
+    }
+    y[n] = static_cast<float>(sum);
+  }
+  return y;
+}
+
+}  // namespace
+
+StartStop::StartStop(const BackgroundModel& model, double sample_rate, double idle_rpm)
+    : start_(at_rate(model.start, model.sample_rate, sample_rate)),
+      stop_(at_rate(model.stop, model.sample_rate, sample_rate)),
+      running_rpm_(idle_rpm / 2),
+      smoothing_(dsp::exp(-kChunk / (kFade_s * sample_rate))),
+      handover_(kHandover_s * sample_rate) {}
+
+void StartStop::play(const std::vector<float>& shot, Phase phase) noexcept {
+  phase_ = phase;
+  shot_ = shot.empty() ? nullptr : &shot;
+  at_ = 0;
+}
+
+double StartStop::target(double rpm) const noexcept {
+  if (phase_ == Phase::kOff) return 0;
+  if (phase_ == Phase::kStopping && shot_) return 0;
+  if (phase_ == Phase::kStarting && shot_ && static_cast<double>(shot_->size() - at_) > handover_) return 0;
+  return std::min(1.0, rpm / running_rpm_);
+}
+
+void StartStop::advance(double rpm, double* out) noexcept {
+  if ((phase_ == Phase::kOff || phase_ == Phase::kStopping) && rpm > kTurning_rpm &&
+      (phase_ == Phase::kOff || rpm > running_rpm_))
+    play(start_, Phase::kStarting);
+  if (phase_ == Phase::kStarting && !shot_ && rpm > running_rpm_) phase_ = Phase::kRunning;
+  if (phase_ == Phase::kRunning && rpm < running_rpm_) play(stop_, Phase::kStopping);
+  if (rpm < 1 && !shot_) phase_ = Phase::kOff;
+
+  gain_from_ = gain_to_;
+  const double wanted = target(rpm);
+  gain_to_ = wanted + (gain_to_ - wanted) * smoothing_;
+  if (wanted == 0 && gain_to_ < 1e-5) gain_to_ = 0;
+  if (!shot_) return;
+  const std::size_t count = std::min<std::size_t>(kChunk, shot_->size() - at_);
+  for (std::size_t n = 0; n < count; ++n) out[n] += static_cast<double>((*shot_)[at_ + n]);
+  at_ += count;
+  if (at_ == shot_->size()) shot_ = nullptr;
+}
+
+}  // namespace rigsound::background

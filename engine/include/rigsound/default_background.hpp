@@ -1,0 +1,13 @@
+// A diesel from a formula, for rigs without a recording of their own.
+#pragma once
+
+#include "rigsound/background_model.hpp"
+
+namespace rigsound {
+
+/// A six-cylinder four-stroke diesel from a formula: firing pulses of slightly uneven cylinders, combustion
+/// noise in bursts after each, a body of ten resonances, a nine-piston pump. About -26 dBFS rms at idle.
+/// Thread: OFF.
+BackgroundModel default_background();
+
+}  // namespace rigsound

@@ -1,0 +1,269 @@
+// The run-time background against its formulas.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "background/background_layer.hpp"
+#include "background/crank.hpp"
+#include "background/rpm_tracker.hpp"
+#include "background/slot_source.hpp"
+#include "background/wavelet_tree.hpp"
+#include "engine/allocation_guard.hpp"
+#include "rigsound/default_background.hpp"
+#include "rigsound/dsp/interpolation_kernel.hpp"
+#include "rigsound/dsp/linear_prediction.hpp"
+
+using namespace rigsound;
+using namespace rigsound::background;
+
+namespace {
+
+constexpr double kRate = 48000;
+
+std::vector<double> play(BackgroundLayer& layer, const BackgroundControls& controls, double seconds) {
+  std::vector<double> out(static_cast<std::size_t>(seconds * kRate / kChunk) * kChunk);
+  for (std::size_t n = 0; n < out.size(); n += kChunk) layer.process(controls, &out[n]);
+  return out;
+}
+
+double power(const std::vector<double>& x, std::size_t from = 0) {
+  double sum = 0;
+  for (std::size_t n = from; n < x.size(); ++n) sum += x[n] * x[n];
+  return sum / static_cast<double>(x.size() - from);
+}
+
+/// One flat point: a single order and nothing else unless asked for.
+BackgroundModel bare(double rpm) {
+  BackgroundModel m;
+  m.A = {1.0F};
+  BackgroundPoint p;
+  p.rpm = rpm;
+  p.v_lo.assign(static_cast<std::size_t>((m.N + 1) * m.P_lo), 0.0F);
+  p.v_hi.assign(static_cast<std::size_t>(m.L) * (slot_band_edges(m.M()).size() - 1), 0.0F);
+  p.s2.assign(static_cast<std::size_t>(m.L), 0.0F);
+  m.points = {p};
+  return m;
+}
+
+}  // namespace
+
+TEST_CASE("an order sounds at its frequency and level, whatever the speed") {
+  BackgroundModel model = bare(1200);
+  model.points[0].C.assign(12, {0, 0});
+  model.points[0].C[11] = {0.1F, 0.0F};
+  for (const double rpm : {900.0, 1200.0}) {
+    BackgroundLayer layer({model}, kRate, 1, 600);
+    const std::vector<double> x = play(layer, {rpm, 0, 0}, 3);
+    double re = 0, im = 0;
+    for (std::size_t n = x.size() - 48000; n < x.size(); ++n) {
+      const double angle = 2 * M_PI * 12 * rpm / 120 * static_cast<double>(n) / kRate;
+      re += x[n] * std::cos(angle), im += x[n] * std::sin(angle);
+    }
+    CHECK(2 * std::hypot(re, im) / 48000 == doctest::Approx(0.1).epsilon(0.002));
+    CHECK(power(x, x.size() - 48000) == doctest::Approx(0.005).epsilon(0.004));  // and nothing else
+  }
+}
+
+TEST_CASE("orders that would fold over fall silent") {
+  BackgroundModel model = bare(800);
+  model.N_theta = 8192, model.L = 128;
+  model.points[0].v_hi.assign(128 * (slot_band_edges(64).size() - 1), 0.0F);
+  model.points[0].s2.assign(128, 0.0F);
+  model.points[0].C.assign(1600, {0, 0});
+  model.points[0].C[1599] = {0.1F, 0.0F};  // 10.7 kHz at 800 r/min, 26.7 kHz at 2000
+  BackgroundLayer layer({model}, kRate, 1, 600);
+  CHECK(power(play(layer, {800, 0, 0}, 2), 48000) > 0.004);
+  CHECK(power(play(layer, {2000, 0, 0}, 2), 48000) < 1e-9);
+}
+
+TEST_CASE("the same seed gives the same samples, another one others; the audio thread never allocates") {
+  const BackgroundModel model = default_background();
+  BackgroundLayer a({model}, kRate, 7, 800), b({model}, kRate, 7, 800), c({model}, kRate, 8, 800);
+  const BackgroundControls controls{1500, 0.4, 0.6};
+  const std::vector<double> x = play(a, controls, 1);
+  CHECK(x == play(b, controls, 1));
+  CHECK(x != play(c, controls, 1));
+  double chunk[kChunk];
+  const long before = tests::allocations();
+  for (int i = 0; i < 20000; ++i) a.process({600.0 + 0.1 * i, 0.5, 0.2}, chunk);
+  CHECK(tests::allocations() == before);
+}
+
+TEST_CASE("an engine that stands is silent, and hydraulics follow the pressure") {
+  BackgroundLayer layer({default_background()}, kRate, 1, 800);
+  CHECK(power(play(layer, {0, 0, 1}, 0.5)) == 0);
+  const double idle = power(play(layer, {800, 0, 0}, 2), 48000);
+  CHECK(idle > 1e-5);
+  CHECK(power(play(layer, {800, 0, 1}, 2), 48000) > 1.02 * idle);
+  play(layer, {0, 0, 0}, 1);
+  CHECK(power(play(layer, {0, 0, 0}, 0.5)) == 0);
+}
+
+TEST_CASE("recorded start and stop play once each") {
+  BackgroundModel model = bare(800);
+  model.start.assign(24000, 0.25F);
+  model.stop.assign(12000, -0.125F);
+  BackgroundLayer layer({model}, kRate, 1, 800);
+  const auto sum = [](const std::vector<double>& x) {
+    double s = 0;
+    for (const double v : x) s += v;
+    return s;
+  };
+  CHECK(sum(play(layer, {800, 0, 0}, 3)) == doctest::Approx(6000));
+  CHECK(sum(play(layer, {0, 0, 0}, 3)) == doctest::Approx(-1500));
+}
+
+TEST_CASE("a wavelet tree with equal deviations is white, each scale brings its share") {
+  constexpr int kChannels = 64, kFrames = 4096;
+  for (int N : {1, 2, 3}) {
+    for (int scale = 0; scale <= N + 1; ++scale) {  // N + 1: all of them
+      std::vector<double> deviation(static_cast<std::size_t>((N + 1) * kChannels), 0.0);
+      for (std::size_t i = 0; i < deviation.size(); ++i)
+        deviation[i] = scale == N + 1 || static_cast<int>(i) / kChannels == scale;
+      WaveletTree tree(kChannels, N, 5);
+      double energy = 0, neighbour = 0;
+      std::vector<double> last(kChannels, 0.0), now(kChannels);
+      for (int frame = 0; frame < kFrames; ++frame) {
+        for (int g = 0; g < WaveletTree::kGroups; ++g)
+          tree.produce(g, deviation.data(),
+                       &now[static_cast<std::size_t>(g * kChannels / WaveletTree::kGroups)]);
+        for (std::size_t i = 0; i < now.size(); ++i) energy += now[i] * now[i], neighbour += now[i] * last[i];
+        last = now;
+      }
+      const double share = scale == N + 1 ? 1.0 : scale == N ? std::pow(0.5, N) : std::pow(0.5, scale + 1);
+      CAPTURE(N);
+      CAPTURE(scale);
+      CHECK(energy / (kFrames * kChannels) == doctest::Approx(share).epsilon(0.03));
+      if (scale == N + 1) CHECK(std::fabs(neighbour / energy) < 0.01);
+    }
+  }
+}
+
+TEST_CASE("slots give the variance they were told, slot by slot") {
+  BackgroundModel model = bare(1200);
+  const std::size_t bands = slot_band_edges(model.M()).size() - 1;
+  for (std::size_t l = 0; l < 64; ++l)
+    for (std::size_t b = 0; b < bands; ++b) model.points[0].v_hi[l * bands + b] = l % 16 < 4 ? 4.0F : 1.0F;
+  const OperatingGrid grid(model, kRate);
+  SlotSource source(model, kRate, 3);
+  std::vector<double> slot(static_cast<std::size_t>(model.M()));
+  double loud = 0, soft = 0;
+  for (int frame = 0; frame < 64 * 200; ++frame) {
+    source.produce(grid, grid.place(1200, 0), 10, slot.data());
+    // A frame ends one hop later: the middle of the loud quarter is l = 2, 3, of the soft part l = 9 ... 12.
+    if (frame % 16 == 2 || frame % 16 == 3) loud += power(slot) / 1600;
+    if (frame % 16 >= 9 && frame % 16 < 13) soft += power(slot) / 3200;
+  }
+  CHECK(loud == doctest::Approx(4.0).epsilon(0.03));
+  CHECK(soft == doctest::Approx(1.0).epsilon(0.03));
+}
+
+TEST_CASE("two points join in the order domain: level geometric, phase along the shorter way") {
+  BackgroundModel model = bare(1000);
+  model.points[0].C = {{0.01F, 0.0F}};
+  BackgroundPoint fast = model.points[0];
+  fast.rpm = 2000;
+  fast.C = {std::polar(0.04F, 2.0F)};
+  model.points.push_back(fast);
+  const OperatingGrid grid(model, kRate);
+  const double middle = std::sqrt(1000.0 * 2000.0);
+  std::vector<double> table(static_cast<std::size_t>(model.N_theta));
+  grid.mix(grid.place(middle, 0), &OperatingState::table, 0, model.N_theta, table.data());
+  for (std::size_t n = 0; n < table.size(); n += 97)
+    CHECK(table[n] ==
+          doctest::Approx(0.02 * std::cos(2 * M_PI * static_cast<double>(n) / model.N_theta + 1.0))
+              .epsilon(0.001)
+              .scale(0.02));
+}
+
+TEST_CASE("resampling through a ramp of 600 to 2400 r/min in 2 s") {
+  constexpr int N = 1024;
+  const dsp::InterpolationKernel kernel(16, 256, 8);
+  std::vector<double> engine_like(N, 0.0), white(N, 0.0);
+  const auto phase = [](int k) { return 1.7 * k * k; };
+  for (int k = 1; k <= N / 4; ++k)
+    for (int n = 0; n < N; ++n) {
+      const double c = std::cos(2 * M_PI * (k * n % N) / N + phase(k));
+      white[static_cast<std::size_t>(n)] += c;
+      engine_like[static_cast<std::size_t>(n)] += c * std::pow(k, -1.5);  // -9 dB an octave
+    }
+  Crank crank;
+  AngleSpan span;
+  double error[2] = {}, total[2] = {};
+  double angle = 0;
+  for (int chunk = 0; chunk < 3000; chunk += 15) {
+    const double f = (600 + 0.6 * chunk) / 120;
+    crank.turn(f, f, kRate);
+    crank.span(N, span);
+    for (std::size_t n = 0; n < kChunk; ++n) {
+      double w[16], got[2] = {}, want[2] = {};
+      kernel.weights(span.fraction[n], w);
+      for (int k = 0; k < 16; ++k) {
+        const auto i = static_cast<std::size_t>((span.base + span.offset[n] + kernel.first() + k + N) % N);
+        got[0] += w[k] * white[i], got[1] += w[k] * engine_like[i];
+      }
+      for (int k = 1; k <= N / 4; ++k) {
+        const double c = std::cos(2 * M_PI * k * angle + phase(k));
+        want[0] += c, want[1] += c * std::pow(k, -1.5);
+      }
+      for (int i = 0; i < 2; ++i) error[i] += std::pow(got[i] - want[i], 2), total[i] += want[i] * want[i];
+      angle += f / kRate;
+    }
+  }
+  CHECK(10 * std::log10(error[0] / total[0]) <= -85);
+  CHECK(10 * std::log10(error[1] / total[1]) <= -105);
+}
+
+TEST_CASE("rpm tracker on 20 ms messages: a ramp of 900 r/min a second, steps of 0.125") {
+  RpmTracker tracker;
+  const auto truth = [](double t) { return t < 2 ? 600.0 : t < 4 ? 600 + 900 * (t - 2) : 2400.0; };
+  double ramp = 0, settled = 0, overshoot = 0;
+  int ramps = 0, settles = 0;
+  double next = 0.02, sent = 0.02;
+  for (double t = 0; t < 8; t += 1e-3) {
+    if (t >= next + 0.002) {  // 2 ms on the bus
+      tracker.message(t, std::round(truth(sent) * 8) / 8);
+      next += 0.02, sent = next;
+    }
+    if (t < 1) continue;
+    const double cents = 1200 * std::log2(tracker.at(t) / truth(t));
+    if (t > 2.2 && t < 4) ramp += cents * cents, ++ramps;
+    if (t > 5) settled += cents * cents, ++settles;
+    if (t > 4) overshoot = std::max(overshoot, cents);
+  }
+  CHECK(std::sqrt(settled / settles) <= 1);
+  CHECK(std::sqrt(ramp / ramps) <= 8);
+  CHECK(overshoot <= 20);
+}
+
+TEST_CASE("an all-pole body keeps its response at another sampling rate") {
+  std::vector<double> r(17);
+  for (std::size_t lag = 0; lag < r.size(); ++lag)
+    r[lag] = std::pow(0.97, lag) * std::cos(0.2 * static_cast<double>(lag)) + (lag == 0 ? 0.01 : 0.0);
+  const std::vector<double> a = dsp::levinson(r).a, b = dsp::all_pole_at_rate(a, 48000, 44100);
+  const auto db = [](const std::vector<double>& c, double f, double rate) {
+    double re = 0, im = 0;
+    for (std::size_t k = 0; k < c.size(); ++k) {
+      re += c[k] * std::cos(2 * M_PI * f / rate * static_cast<double>(k));
+      im += c[k] * std::sin(2 * M_PI * f / rate * static_cast<double>(k));
+    }
+    return -10 * std::log10(re * re + im * im);
+  };
+  const double offset = db(b, 1500, 44100) - db(a, 1500, 48000);
+  for (const double f : {300.0, 1000.0, 3000.0, 8000.0, 15000.0})
+    CHECK(std::fabs(db(b, f, 44100) - db(a, f, 48000) - offset) < 1.0);
+}
+
+TEST_CASE("a model that cannot be played is refused by name") {
+  const auto refused = [](auto change, const char* word) {
+    BackgroundModel model = default_background();
+    change(model);
+    CHECK_THROWS_WITH_AS(BackgroundLayer({model}, kRate, 1, 800), doctest::Contains(word),
+                         std::invalid_argument);
+  };
+  refused([](auto& m) { m.points.clear(); }, "point");
+  refused([](auto& m) { m.N_theta = 5000; }, "N_theta");
+  refused([](auto& m) { m.points[1].v_hi.pop_back(); }, "v_hi");
+  refused([](auto& m) { m.A = {1.0F, -2.1F}; }, "stable");
+}
