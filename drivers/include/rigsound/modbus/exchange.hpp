@@ -1,0 +1,44 @@
+// A transaction that both sides agreed on: what a device's table holds, or what was written to it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "rigsound/modbus/modbus_options.hpp"
+#include "rigsound/signal.hpp"
+#include "rigsound/signal_board.hpp"
+
+namespace rigsound::modbus {
+
+/// What the bus said about one machine signal. Plain data. Thread: any.
+struct Reading {
+  SignalId target{};
+  double value = 0;  ///< in the signal's unit; may be anything a bus can say, NaN included
+  Validity validity = Validity::kValid;  ///< anything else: the bus said that there is no value
+};
+
+struct Exchange {
+  int unit = 255;
+  Table table = Table::kHolding;
+  bool written = false;               ///< false: read
+  std::uint16_t address = 0;          ///< of the first value, 0-based
+  std::vector<std::uint16_t> values;  ///< registers, or one bit each (0, 1)
+};
+
+/// Registers that a value takes; a bit takes one place.
+int width(const RegisterRoute& route);
+
+/// The value of a route whose first register (or bit) is `first`, `width(route)` of them.
+double decode(const RegisterRoute& route, const std::uint16_t* first);
+
+/// One reading for every route that lies wholly inside the exchange, added to `out`.
+void readings(const Exchange& exchange, const std::vector<RegisterRoute>& routes, std::vector<Reading>& out);
+
+/// Tells the board. Thread: as SignalBoard.
+void apply(const Reading& reading, double time_s, SignalBoard& board);
+
+/// `holding 0 = 40001`: the address on the wire and the one of the field's manuals.
+std::string describe(Table table, std::uint16_t address);
+
+}  // namespace rigsound::modbus

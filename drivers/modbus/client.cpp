@@ -1,0 +1,137 @@
+#include "modbus/client.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <thread>
+
+#include "rigsound/device_error.hpp"
+
+namespace rigsound::modbus {
+namespace {
+
+constexpr std::int64_t kRound_ms = 200;
+
+bool is_exception(int error) { return error >= EMBXILFUN && error <= EMBXGTAR; }
+
+}  // namespace
+
+Client::Client(const ModbusOptions& options, ModbusListener& listener)
+    : options_(options), listener_(listener), complaints_(listener), plan_(poll_plan(options.routes)) {}
+
+void Client::step() {
+  if (context_) return poll();
+  if (backoff_.due()) return connect();
+  backoff_.wait();
+}
+
+void Client::connect() {
+  try {
+    context_ = make_context(options_);
+    if (modbus_connect(context_.get()) == 0) {
+      answered_ = false;
+      next_poll_ms_ = monotonic_ms();
+      return;
+    }
+    throw DeviceError("modbus " + options_.address + ": cannot be reached: " + modbus_strerror(errno));
+  } catch (const DeviceError& error) {
+    context_.reset();
+    backoff_.failed();
+    if (last_problem_ != error.what()) listener_.notice(error.what());
+    last_problem_ = error.what();
+  }
+}
+
+void Client::poll() {
+  const std::int64_t left = next_poll_ms_ - monotonic_ms();
+  if (left > 0) return std::this_thread::sleep_for(std::chrono::milliseconds(std::min(left, kRound_ms)));
+  const auto period = std::max<std::int64_t>(1, static_cast<std::int64_t>(options_.poll_s * 1e3));
+  next_poll_ms_ += period * (1 - left / period);  // a slow device loses polls, it does not gather them
+
+  Exchange answer;
+  std::vector<Reading> values;
+  for (const PollRequest& request : plan_) {
+    if (!ask(request, answer)) {
+      if (!context_) return;
+      continue;
+    }
+    if (!answered_) {
+      answered_ = true;
+      last_problem_.clear();
+      backoff_.worked();
+      listener_.up();
+    }
+    listener_.exchange(answer);
+    values.clear();
+    readings(answer, options_.routes, values);
+    listener_.readings(values);
+  }
+}
+
+bool Client::ask(const PollRequest& request, Exchange& answer) {
+  answer = {options_.unit, request.table, false, request.address, {}};
+  answer.values.resize(static_cast<std::size_t>(request.count));
+  const bool bits = request.table == Table::kCoil || request.table == Table::kDiscrete;
+  std::vector<std::uint8_t> bit_values(bits ? answer.values.size() : 0);
+  modbus_t* const c = context_.get();
+  int got = -1;
+  switch (request.table) {
+    case Table::kHolding:
+      got = modbus_read_registers(c, request.address, request.count, answer.values.data());
+      break;
+    case Table::kInput:
+      got = modbus_read_input_registers(c, request.address, request.count, answer.values.data());
+      break;
+    case Table::kCoil:
+      got = modbus_read_bits(c, request.address, request.count, bit_values.data());
+      break;
+    case Table::kDiscrete:
+      got = modbus_read_input_bits(c, request.address, request.count, bit_values.data());
+      break;
+  }
+  if (bits) std::copy(bit_values.begin(), bit_values.end(), answer.values.begin());
+  if (got == request.count) {
+    count_.requests.fetch_add(1, std::memory_order_relaxed);
+    return true;
+  }
+  const int error = errno;
+  if (is_exception(error)) {
+    count_.refused.fetch_add(1, std::memory_order_relaxed);
+    complaints_.add("modbus " + options_.address + ": " + describe(request.table, request.address) + " (" +
+                    std::to_string(request.count) + "): " + modbus_strerror(error));
+    doubt(request);
+  } else {
+    lose(error);
+  }
+  return false;
+}
+
+// The device lives but has no such register, or no value for it.
+void Client::doubt(const PollRequest& request) {
+  std::vector<Reading> values;
+  for (const RegisterRoute& route : options_.routes) {
+    const int offset = route.address - request.address;
+    if (route.table == request.table && offset >= 0 && offset < request.count)
+      values.push_back({route.target, 0, Validity::kErrorValue});
+  }
+  listener_.readings(values);
+}
+
+// After a late or broken answer the stream may be out of step: only a new connection is sure.
+void Client::lose(int error) {
+  if (error == EMBBADCRC || error == EMBBADDATA || error == EMBMDATA || error == EMBBADSLAVE)
+    count_.bad_frames.fetch_add(1, std::memory_order_relaxed);
+  context_.reset();
+  backoff_.failed();
+  const std::string why = "modbus " + options_.address + ": " + modbus_strerror(error);
+  if (answered_) {
+    count_.lost.fetch_add(1, std::memory_order_relaxed);
+    listener_.down(why);
+  } else if (last_problem_ != why) {
+    listener_.notice(why);
+  }
+  last_problem_ = why;
+  answered_ = false;
+}
+
+}  // namespace rigsound::modbus

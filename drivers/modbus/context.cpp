@@ -1,0 +1,57 @@
+#include "modbus/context.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "rigsound/device_error.hpp"
+
+namespace rigsound::modbus {
+namespace {
+
+constexpr std::int64_t kFirstPause_ms = 100, kLongestPause_ms = 5000, kRound_ms = 200;
+
+modbus_t* new_context(const ModbusOptions& o) {
+  if (o.transport == Transport::kTcp)
+    return modbus_new_tcp_pi(o.host.c_str(), std::to_string(o.port).c_str());
+  return modbus_new_rtu(o.address.c_str(), o.baud, o.parity, 8, o.stop_bits);
+}
+
+}  // namespace
+
+Context make_context(const ModbusOptions& o) {
+  Context context(new_context(o));
+  if (!context || modbus_set_slave(context.get(), o.unit) != 0)
+    throw DeviceError("modbus " + o.address + ": " + modbus_strerror(errno));
+  const double whole = std::floor(o.timeout_s);
+  modbus_set_response_timeout(context.get(), static_cast<std::uint32_t>(whole),
+                              static_cast<std::uint32_t>((o.timeout_s - whole) * 1e6));
+  modbus_set_error_recovery(context.get(), MODBUS_ERROR_RECOVERY_NONE);
+  return context;
+}
+
+std::int64_t monotonic_ms() {
+  using namespace std::chrono;
+  return duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
+}
+
+bool Backoff::due() const { return monotonic_ms() >= next_ms_; }
+
+void Backoff::wait() const {
+  const std::int64_t left = std::clamp<std::int64_t>(next_ms_ - monotonic_ms(), 0, kRound_ms);
+  std::this_thread::sleep_for(std::chrono::milliseconds(left));
+}
+
+void Backoff::failed() {
+  next_ms_ = monotonic_ms() + pause_ms_;
+  pause_ms_ = std::min(2 * pause_ms_, kLongestPause_ms);
+}
+
+void Backoff::worked() {
+  next_ms_ = 0;
+  pause_ms_ = kFirstPause_ms;
+}
+
+}  // namespace rigsound::modbus

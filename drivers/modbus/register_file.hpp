@@ -1,0 +1,42 @@
+// The registers a server holds for its rig, and the rule about who may change them to what.
+#pragma once
+
+#include <modbus.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "modbus/request.hpp"
+#include "rigsound/modbus/exchange.hpp"
+
+namespace rigsound::modbus {
+
+/// Readable: from the first to the last address in use of each table (gaps read 0). Writable: exactly the
+/// addresses in use, whole values only, finite and in the signal's range. Values start at 0.
+class RegisterFile {
+ public:
+  explicit RegisterFile(const std::vector<RegisterRoute>& routes);
+
+  /// Whether the request may pass; then `change` holds what it writes (no values: it writes nothing).
+  std::optional<Refusal> judge(const Request& request, Exchange& change) const;
+
+  /// For modbus_reply, which carries out what judge() let pass.
+  modbus_mapping_t* mapping() { return mapping_.get(); }
+
+ private:
+  struct Free {
+    void operator()(modbus_mapping_t* m) const { modbus_mapping_free(m); }
+  };
+  bool readable(Table table, const Range& range) const;
+  bool writable(Table table, const Range& range) const;
+  std::uint16_t held(std::uint16_t address) const;
+  std::optional<Refusal> judge_values(const Exchange& change) const;
+
+  std::vector<RegisterRoute> routes_;
+  std::array<Range, 4> span_{};  // by Table
+  std::unique_ptr<modbus_mapping_t, Free> mapping_;
+};
+
+}  // namespace rigsound::modbus

@@ -1,0 +1,133 @@
+#include "modbus/tcp_server.hpp"
+
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+
+#include <algorithm>
+#include <cerrno>
+
+#include "modbus/tcp_socket.hpp"
+#include "rigsound/device_error.hpp"
+
+namespace rigsound::modbus {
+namespace {
+
+constexpr int kRound_ms = 200;
+constexpr std::size_t kMbap = 7;  // transaction 2, protocol 2, length 2, unit 1
+
+std::size_t length_field(const std::uint8_t* frame) {
+  return static_cast<std::size_t>(frame[4] << 8 | frame[5]);
+}
+
+}  // namespace
+
+TcpServer::TcpServer(const ModbusOptions& options, ModbusListener& listener)
+    : options_(options),
+      listener_(listener),
+      complaints_(listener),
+      responder_(options, listener),
+      context_(make_context(options)) {}
+
+int TcpServer::port() const {
+  sockaddr_storage address{};
+  socklen_t size = sizeof address;
+  if (!listening_ || ::getsockname(listening_.get(), reinterpret_cast<sockaddr*>(&address), &size) != 0)
+    return 0;
+  return ntohs(
+      reinterpret_cast<const sockaddr_in&>(address).sin_port);  // the port lies alike in sockaddr_in6
+}
+
+void TcpServer::step() {
+  if (!listening_) return backoff_.due() ? listen() : backoff_.wait();
+  std::vector<pollfd> polls = {{listening_.get(), POLLIN, 0}};
+  for (const Connection& c : connections_) polls.push_back({c.fd.get(), POLLIN, 0});
+  if (::poll(polls.data(), polls.size(), kRound_ms) < 0) return;
+  for (std::size_t i = 0; i < connections_.size(); ++i)
+    if (polls[i + 1].revents != 0 && !serve(connections_[i])) connections_[i].fd.reset();
+  forget_closed();
+  if (polls[0].revents != 0) accept_all();
+  count_.connections.store(connections_.size(), std::memory_order_relaxed);
+}
+
+void TcpServer::listen() {
+  try {
+    listening_ = listen_on(options_.host, options_.port);
+    last_problem_.clear();
+    listener_.up();
+  } catch (const DeviceError& error) {
+    backoff_.failed();
+    if (last_problem_ != error.what()) listener_.notice(error.what());
+    last_problem_ = error.what();
+  }
+}
+
+void TcpServer::accept_all() {
+  for (;;) {
+    sockaddr_storage peer{};
+    socklen_t size = sizeof peer;
+    FileDescriptor fd(
+        ::accept4(listening_.get(), reinterpret_cast<sockaddr*>(&peer), &size, SOCK_NONBLOCK | SOCK_CLOEXEC));
+    if (!fd) return;
+    const bool welcome = allowed(address_bytes(peer), options_.allow);
+    if (!welcome || connections_.size() >= kMaxConnections) {
+      count_.turned_away.fetch_add(1, std::memory_order_relaxed);
+      complaints_.add("modbus " + options_.address + ": " + address_text(peer) +
+                      " turned away: " + (welcome ? "too many connections" : "not in an allowed network"));
+      continue;
+    }
+    const int on = 1;
+    ::setsockopt(fd.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+    Connection connection;
+    connection.fd = std::move(fd);
+    connection.peer = address_text(peer);
+    connection.last_ms = monotonic_ms();
+    connections_.push_back(std::move(connection));
+  }
+}
+
+/// Returns false when the connection is to be closed.
+bool TcpServer::serve(Connection& c) {
+  const ssize_t got = ::recv(c.fd.get(), c.bytes.data() + c.filled, c.bytes.size() - c.filled, 0);
+  if (got < 0) return errno == EAGAIN || errno == EINTR;
+  if (got == 0) return false;
+  c.filled += static_cast<std::size_t>(got);
+  return answer_whole_frames(c);
+}
+
+bool TcpServer::answer_whole_frames(Connection& c) {
+  while (c.filled >= kMbap) {
+    const std::size_t length = length_field(c.bytes.data());  // of unit and PDU
+    const bool modbus =
+        c.bytes[2] == 0 && c.bytes[3] == 0 && length >= 2 && length <= MODBUS_MAX_PDU_LENGTH + 1;
+    if (!modbus) return bad_frame(c, "not Modbus"), false;
+    const std::size_t size = kMbap - 1 + length;
+    if (c.filled < size) return true;
+    c.last_ms = monotonic_ms();
+    modbus_set_socket(context_.get(), c.fd.get());
+    const auto outcome =
+        responder_.respond(context_.get(), c.bytes.data(), static_cast<int>(size), size - kMbap, c.peer);
+    modbus_set_socket(context_.get(), -1);
+    if (outcome == Responder::Outcome::kNotSent) return false;
+    (outcome == Responder::Outcome::kAnswered ? count_.requests : count_.refused)
+        .fetch_add(1, std::memory_order_relaxed);
+    std::copy(c.bytes.begin() + static_cast<std::ptrdiff_t>(size),
+              c.bytes.begin() + static_cast<std::ptrdiff_t>(c.filled), c.bytes.begin());
+    c.filled -= size;
+  }
+  return true;
+}
+
+void TcpServer::bad_frame(const Connection& connection, const char* what) {
+  count_.bad_frames.fetch_add(1, std::memory_order_relaxed);
+  complaints_.add("modbus " + options_.address + ": " + connection.peer + ": " + what +
+                  ", connection closed");
+}
+
+void TcpServer::forget_closed() {
+  const std::int64_t now = monotonic_ms();
+  const auto over = [now](const Connection& c) { return !c.fd || now - c.last_ms > kIdle_ms; };
+  connections_.erase(std::remove_if(connections_.begin(), connections_.end(), over), connections_.end());
+}
+
+}  // namespace rigsound::modbus

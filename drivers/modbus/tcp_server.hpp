@@ -1,0 +1,52 @@
+// Serves simulators that write to us: many connections, one thread, nobody can hold it up.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "modbus/context.hpp"
+#include "modbus/responder.hpp"
+#include "rigsound/file/file_descriptor.hpp"
+#include "rigsound/modbus/modbus_link.hpp"
+
+namespace rigsound::modbus {
+
+constexpr int kMaxConnections = 32;
+constexpr std::int64_t kIdle_ms = 60'000;  ///< a connection without a request for so long is closed
+
+class TcpServer : public ModbusLink {
+ public:
+  TcpServer(const ModbusOptions& options, ModbusListener& listener);
+  void step() override;
+
+  int port() const;  ///< bound, which matters when the options say 0; 0: not listening
+
+ private:
+  struct Connection {
+    FileDescriptor fd;
+    std::string peer;
+    std::array<std::uint8_t, MODBUS_TCP_MAX_ADU_LENGTH> bytes{};
+    std::size_t filled = 0;
+    std::int64_t last_ms = 0;
+  };
+
+  void listen();
+  void accept_all();
+  bool serve(Connection& connection);
+  bool answer_whole_frames(Connection& connection);
+  void bad_frame(const Connection& connection, const char* what);
+  void forget_closed();
+
+  ModbusOptions options_;
+  ModbusListener& listener_;
+  Complaints complaints_;
+  Responder responder_;
+  Context context_;  // builds the answers; its socket is lent by the connection being served
+  Backoff backoff_;
+  std::string last_problem_;
+  FileDescriptor listening_;
+  std::vector<Connection> connections_;
+};
+
+}  // namespace rigsound::modbus

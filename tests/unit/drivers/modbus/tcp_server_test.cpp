@@ -1,0 +1,199 @@
+// A real server on loopback, a real libmodbus client, and callers that mean no good.
+#include "modbus/tcp_server.hpp"
+
+#include <arpa/inet.h>
+#include <doctest/doctest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+
+#include "drivers/modbus/link_harness.hpp"
+#include "modbus/tcp_socket.hpp"
+
+using namespace rigsound;
+using namespace rigsound::modbus;
+
+namespace {
+
+struct Served {
+  Served() {
+    options.host = "127.0.0.1";
+    options.port = 0;
+    options.routes = {
+        route(Signal::kFeedPressureBar, Table::kHolding, 0, WordType::kUint16, WordOrder::kAbcd, 0.1),
+        route(Signal::kEngineRpm, Table::kHolding, 2, WordType::kFloat32),
+        route(Signal::kPercussion, Table::kCoil, 0), route(Signal::kRodCount, Table::kHolding, 4)};
+    server = std::make_unique<TcpServer>(options, told);
+    server->step();  // starts to listen
+    REQUIRE(server->port() != 0);
+    running = std::make_unique<Running>(*server);
+  }
+
+  Context client() {
+    Context c(modbus_new_tcp("127.0.0.1", server->port()));
+    modbus_set_slave(c.get(), 1);
+    modbus_set_response_timeout(c.get(), 30, 0);
+    REQUIRE(modbus_connect(c.get()) == 0);
+    return c;
+  }
+
+  FileDescriptor raw() {
+    FileDescriptor fd(::socket(AF_INET, SOCK_STREAM, 0));
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<std::uint16_t>(server->port()));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    REQUIRE(::connect(fd.get(), reinterpret_cast<sockaddr*>(&address), sizeof address) == 0);
+    return fd;
+  }
+
+  ModbusOptions options;
+  Told told;
+  std::unique_ptr<TcpServer> server;
+  std::unique_ptr<Running> running;
+};
+
+void send_all(const FileDescriptor& fd, const std::vector<std::uint8_t>& bytes) {
+  REQUIRE(::send(fd.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(bytes.size()));
+}
+
+bool closed_by_peer(const FileDescriptor& fd) {
+  std::uint8_t byte = 0;
+  return ::recv(fd.get(), &byte, 1, 0) <= 0;
+}
+
+}  // namespace
+
+TEST_CASE("Every writing function changes state, every reading one shows it") {
+  Served s;
+  const Context c = s.client();
+  REQUIRE(modbus_write_register(c.get(), 0, 855) == 1);
+  CHECK(s.told.of(Signal::kFeedPressureBar).value == doctest::Approx(85.5));
+  const std::uint16_t rpm[] = {0x43F9, 0xB000};
+  REQUIRE(modbus_write_registers(c.get(), 2, 2, rpm) == 2);
+  CHECK(s.told.of(Signal::kEngineRpm).value == 499.375);
+  REQUIRE(modbus_write_bit(c.get(), 0, 1) == 1);
+  CHECK(s.told.of(Signal::kPercussion).value == 1);
+  const std::uint8_t off = 0;
+  REQUIRE(modbus_write_bits(c.get(), 0, 1, &off) == 1);
+  CHECK(s.told.of(Signal::kPercussion).value == 0);
+  const std::uint16_t rods = 5;
+  std::uint16_t got[5] = {};
+  REQUIRE(modbus_write_and_read_registers(c.get(), 4, 1, &rods, 0, 5, got) == 5);
+  CHECK(s.told.of(Signal::kRodCount).value == 5);
+  CHECK(got[0] == 855);
+  CHECK(got[4] == 5);
+  REQUIRE(modbus_mask_write_register(c.get(), 4, 0xfffc, 0x0002) == 1);  // 5 & ~3 | 2 = 6
+  CHECK(s.told.of(Signal::kRodCount).value == 6);
+  REQUIRE(modbus_read_registers(c.get(), 0, 5, got) == 5);
+  CHECK(got[2] == 0x43F9);
+  CHECK(got[4] == 6);
+  CHECK(s.server->counters().requests == 7);
+  CHECK(s.server->counters().refused == 0);
+}
+
+TEST_CASE("Values that are no values and addresses that are none are refused, the old value stays") {
+  Served s;
+  const Context c = s.client();
+  REQUIRE(modbus_write_register(c.get(), 0, 855) == 1);
+  const std::size_t before = s.told.total();
+  const std::uint16_t nan[] = {0x7fc0, 0}, infinity[] = {0x7f80, 0};
+  const auto refused_as = [](int code, int result) { return result == -1 && errno == MODBUS_ENOBASE + code; };
+  CHECK(refused_as(3, modbus_write_registers(c.get(), 2, 2, nan)));
+  CHECK(refused_as(3, modbus_write_registers(c.get(), 2, 2, infinity)));
+  CHECK(refused_as(3, modbus_write_register(c.get(), 0, 3001)));
+  CHECK(refused_as(3, modbus_write_register(c.get(), 2, 0x43F9)));
+  CHECK(refused_as(2, modbus_write_register(c.get(), 1, 0)));
+  CHECK(refused_as(2, modbus_write_register(c.get(), 999, 0)));
+  std::uint16_t got[6] = {};
+  CHECK(refused_as(2, modbus_read_registers(c.get(), 0, 6, got)));
+  CHECK(refused_as(2, modbus_read_input_registers(c.get(), 0, 1, got)));
+  std::uint8_t id[64] = {};
+  CHECK(refused_as(1, modbus_report_slave_id(c.get(), 64, id)));
+  CHECK(s.told.total() == before);
+  CHECK(s.server->counters().refused == 9);
+  CHECK(s.told.notices() >= 1);
+  CHECK(s.told.notices() < 9);  // once a second at most
+  REQUIRE(modbus_read_registers(c.get(), 0, 1, got) == 1);
+  CHECK(got[0] == 855);
+}
+
+TEST_CASE("Garbage and lying lengths close their connection and nothing else") {
+  Served s;
+  const Context c = s.client();
+  for (const std::vector<std::uint8_t>& bad :
+       {std::vector<std::uint8_t>(300, 0xA5), std::vector<std::uint8_t>{0, 1, 0, 0, 0, 1, 1},
+        std::vector<std::uint8_t>{0, 1, 0, 0, 0xff, 0xff, 1},
+        std::vector<std::uint8_t>{0, 1, 0, 7, 0, 6, 1, 3}}) {
+    const FileDescriptor fd = s.raw();
+    send_all(fd, bad);
+    CHECK(closed_by_peer(fd));
+  }
+  CHECK(s.server->counters().bad_frames == 4);
+  REQUIRE(modbus_write_register(c.get(), 0, 700) == 1);
+  CHECK(s.told.of(Signal::kFeedPressureBar).value == doctest::Approx(70));
+}
+
+TEST_CASE("A frame may come byte by byte or several at once; half a frame changes nothing") {
+  Served s;
+  const FileDescriptor fd = s.raw();
+  const std::vector<std::uint8_t> frame = {0, 9, 0, 0, 0, 6, 1, 6, 0, 0, 0, 100};
+  for (std::size_t i = 0; i + 1 < frame.size(); ++i) send_all(fd, {frame[i]});
+  const Context c = s.client();
+  REQUIRE(modbus_write_register(c.get(), 0, 700) == 1);  // the half frame holds nobody up
+  CHECK(s.told.of(Signal::kFeedPressureBar).value == doctest::Approx(70));
+  send_all(fd, {frame.back()});
+  await([&] { return s.told.total() == 2; });
+  CHECK(s.told.of(Signal::kFeedPressureBar).value == doctest::Approx(10));
+
+  std::vector<std::uint8_t> twice = frame;
+  twice.insert(twice.end(), frame.begin(), frame.end());
+  send_all(fd, twice);
+  await([&] { return s.told.total() == 4; });
+}
+
+TEST_CASE("A flood of connections is turned away, those inside keep working") {
+  Served s;
+  const Context c = s.client();
+  REQUIRE(modbus_write_register(c.get(), 0, 1) == 1);
+  std::vector<FileDescriptor> flood;
+  for (int i = 0; i < 100; ++i) flood.push_back(s.raw());
+  await([&] { return s.server->counters().turned_away == 100 - (kMaxConnections - 1); });
+  await([&] { return s.server->counters().connections == kMaxConnections; });
+  REQUIRE(modbus_write_register(c.get(), 0, 700) == 1);
+  CHECK(s.told.notices() <= 3);
+  flood.clear();
+  await([&] { return s.server->counters().connections == 1; });
+  const Context late = s.client();
+  CHECK(modbus_write_register(late.get(), 0, 10) == 1);
+}
+
+TEST_CASE("Only allowed networks may connect") {
+  const Network net{"192.168.1.0/24", {192, 168, 1, 0}, 24},
+      v6{"fd00::/8", {0xfd, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, 8};
+  std::vector<std::uint8_t> far(16, 1), local6(16, 0);
+  far[0] = 0xfd;
+  local6[15] = 1;
+  CHECK(allowed({192, 168, 1, 77}, {v6, net}));
+  CHECK_FALSE(allowed({192, 168, 2, 77}, {v6, net}));
+  CHECK(allowed(far, {v6, net}));
+  CHECK_FALSE(allowed({127, 0, 0, 1}, {net}));
+  CHECK(allowed({127, 0, 0, 1}, {}));
+  CHECK(allowed(local6, {}));
+  CHECK_FALSE(allowed({192, 168, 1, 77}, {}));
+  CHECK(allowed({1, 2, 3, 4}, {Network{"0.0.0.0/0", {0, 0, 0, 0}, 0}}));
+}
+
+TEST_CASE("A port in use is told and tried again") {
+  Served s;
+  ModbusOptions options = s.options;
+  options.port = s.server->port();
+  Told told;
+  TcpServer second(options, told);
+  second.step();
+  CHECK(told.notices() == 1);
+  CHECK(second.port() == 0);
+}
