@@ -5,31 +5,16 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <string>
 
-#include "rigsound/device_error.hpp"
+#include "file/flush.hpp"
 
 namespace rigsound {
 namespace fs = std::filesystem;
 
-namespace {
-
-[[noreturn]] void fail(const fs::path& path, const char* what, int error) {
-  throw DeviceError(path.string() + ": " + what + ": " + std::strerror(error));
-}
-
-void flush_to_disk(const fs::path& path) {
-  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (fd < 0) fail(path, "cannot be opened again", errno);
-  const int synced = ::fsync(fd);
-  const int error = errno;
-  ::close(fd);
-  if (synced != 0) fail(path, "cannot be flushed to disk", error);
-}
-
-}  // namespace
+using file::fail;
+using file::flush_to_disk;
 
 AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
   const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");

@@ -10,7 +10,7 @@ import sys
 import tempfile
 
 STANDARD = re.compile(r'^[a-z_0-9]+$')
-C_HEADERS = re.compile(r'^(sys/|linux/|net/|netinet/|arpa/)?[a-z_0-9]+\.h$')
+C_HEADERS = re.compile(r'^((sys|linux|net|netinet|arpa)/([a-z_0-9]+/)?)?[a-z_0-9]+\.h$')
 
 # Room: rooms it may include, and headers of libraries (beside the C++ standard library).
 RULES = {
@@ -18,7 +18,8 @@ RULES = {
     'drivers': (('engine',), ('modbus', 'alsa/', 'sndfile', 'pcap', 'readerwriterqueue', 'POSIX')),
     'config': (('engine', 'drivers'), ('toml++/', 'nlohmann/', 'sndfile', 'samplerate', 'fmt/')),
     'analysis': (('engine', 'drivers', 'config'),
-                 ('Eigen/', 'unsupported/Eigen/', 'nlopt', 'sndfile', 'samplerate', 'nlohmann/', 'openssl/', 'fmt/')),
+                 ('Eigen/', 'unsupported/Eigen/', 'nlopt', 'sndfile', 'samplerate', 'nlohmann/', 'openssl/', 'fmt/',
+                  'math.h')),
     'tools': (('engine', 'drivers', 'config', 'analysis'),
               ('CLI/', 'fmt/', 'spdlog/', 'nlohmann/', 'openssl/', 'readerwriterqueue', 'systemd/', 'POSIX')),
 }
