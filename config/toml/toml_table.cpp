@@ -85,9 +85,12 @@ std::string TomlTable::text(std::string_view key, std::string_view otherwise) {
 
 std::string TomlTable::required_text(std::string_view key, std::string_view expected) {
   const std::string given = text(key, {});
-  if (given.empty())
-    fail(key, (has(key) ? "is empty, expected " : "is missing, expected ") + std::string(expected));
-  return given;
+  if (!given.empty()) return given;
+  if (has(key)) fail(key, "is empty, expected " + std::string(expected));
+  for (const std::string& other : keys())
+    if (known_.count(other) == 0 && edit_distance(other, key) <= 2)
+      fail(other, "is not known here, did you mean '" + std::string(key) + "'?");
+  fail(key, "is missing, expected " + std::string(expected));
 }
 
 std::vector<std::string> TomlTable::texts(std::string_view key) {

@@ -1,0 +1,48 @@
+// One rig file: everything the daemon, `render`, `decode` and `check` are told at start-up.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "rigsound/audio/audio_options.hpp"
+#include "rigsound/can/can_options.hpp"
+#include "rigsound/engine.hpp"
+#include "rigsound/modbus/modbus_options.hpp"
+#include "rigsound/signal_board.hpp"
+
+namespace rigsound::config {
+
+struct ControlOptions {
+  std::string socket = "/run/rigsound/control.sock";  ///< path of the control socket; empty: none
+  std::string metrics;                                ///< HOST:PORT for OpenMetrics; empty: off
+};
+
+/// Every option checked, every path absolute or relative to the working directory.
+struct Rig {
+  std::filesystem::path file;
+  audio::AudioOptions audio;
+  EngineOptions engine;                 ///< BoomOptions::tool is filled in by load_sounds
+  std::filesystem::path sound_set;      ///< empty when the rig names none
+  int sound_set_line = 0;               ///< of the rig file, for messages
+  std::vector<std::string> boom_tools;  ///< names, one a boom; empty: no steel of its own
+  std::vector<int> boom_tool_lines;
+  SafetyOptions safety;
+  std::vector<can::CanOptions> can;
+  std::vector<modbus::ModbusOptions> modbus;
+  ControlOptions control;
+};
+
+/// Reads and checks a rig file and the DBC files it names. Only keys of a bus without a sensible default
+/// are required ([[can]] interface and dbc); everything else has the default that config/rigs/demo.toml
+/// shows. Paths in the file are relative to its folder. Errors: InputError. Thread: OFF.
+Rig load_rig(const std::filesystem::path& file);
+
+/// Reads the rig's sound set at the rig's rate and finds the steel of each boom in it.
+/// Errors: InputError, also when the rig names no sound set. Thread: OFF.
+SoundSet load_sounds(Rig& rig);
+
+/// "engine_rpm", "feed_pressure_bar" of the first boom, "NAME.feed_pressure_bar" of another.
+std::string signal_label(const Rig& rig, SignalId id);
+
+}  // namespace rigsound::config

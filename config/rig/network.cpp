@@ -1,0 +1,110 @@
+#include "rig/network.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+namespace rigsound::config {
+namespace {
+
+std::optional<int> whole_number(std::string_view text, int max) {
+  int n = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
+  if (error != std::errc() || end != text.data() + text.size() || n < 0 || n > max) return std::nullopt;
+  return n;
+}
+
+std::optional<std::vector<std::uint8_t>> parse_v4(std::string_view text) {
+  std::vector<std::uint8_t> bytes;
+  while (bytes.size() < 4) {
+    const std::size_t dot = bytes.size() < 3 ? text.find('.') : text.size();
+    if (dot == std::string_view::npos) return std::nullopt;
+    const auto byte = whole_number(text.substr(0, dot), 255);
+    if (!byte) return std::nullopt;
+    bytes.push_back(static_cast<std::uint8_t>(*byte));
+    text.remove_prefix(std::min(dot + 1, text.size()));
+  }
+  return bytes;
+}
+
+/// Groups of 16 bits between colons, as bytes; nothing when one is wrong.
+std::optional<std::vector<std::uint8_t>> parse_groups(std::string_view text) {
+  std::vector<std::uint8_t> bytes;
+  while (!text.empty()) {
+    const std::size_t colon = std::min(text.find(':'), text.size());
+    const std::string_view group = text.substr(0, colon);
+    unsigned value = 0;
+    const auto [end, error] = std::from_chars(group.data(), group.data() + group.size(), value, 16);
+    if (error != std::errc() || end != group.data() + group.size() || value > 0xFFFF || bytes.size() >= 16)
+      return std::nullopt;
+    bytes.push_back(static_cast<std::uint8_t>(value >> 8));
+    bytes.push_back(static_cast<std::uint8_t>(value & 0xFF));
+    if (colon + 1 == text.size()) return std::nullopt;
+    text.remove_prefix(std::min(colon + 1, text.size()));
+  }
+  return bytes;
+}
+
+std::optional<std::vector<std::uint8_t>> parse_v6(std::string_view text) {
+  const std::size_t gap = text.find("::");
+  if (gap == std::string_view::npos) {
+    auto bytes = parse_groups(text);
+    return bytes && bytes->size() == 16 ? bytes : std::nullopt;
+  }
+  auto head = parse_groups(text.substr(0, gap));
+  const auto tail = parse_groups(text.substr(gap + 2));
+  if (!head || !tail || head->size() + tail->size() > 14) return std::nullopt;
+  head->resize(16 - tail->size());
+  head->insert(head->end(), tail->begin(), tail->end());
+  return head;
+}
+
+bool host_bits_clear(const modbus::Network& network) {
+  for (int bit = network.prefix; bit < static_cast<int>(network.address.size()) * 8; ++bit)
+    if ((network.address[static_cast<std::size_t>(bit / 8)] >> (7 - bit % 8) & 1) != 0) return false;
+  return true;
+}
+
+}  // namespace
+
+std::optional<modbus::Network> parse_network(std::string_view text) {
+  modbus::Network network;
+  network.text = text;
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const std::string_view host = text.substr(0, slash);
+  const auto address = host.find(':') == std::string_view::npos ? parse_v4(host) : parse_v6(host);
+  if (!address) return std::nullopt;
+  network.address = *address;
+  network.prefix = static_cast<int>(network.address.size()) * 8;
+  if (slash < text.size()) {
+    const auto prefix = whole_number(text.substr(slash + 1), network.prefix);
+    if (!prefix) return std::nullopt;
+    network.prefix = *prefix;
+  }
+  if (!host_bits_clear(network)) return std::nullopt;
+  return network;
+}
+
+std::optional<HostPort> parse_host_port(std::string_view text, int default_port) {
+  HostPort result;
+  std::string_view rest;
+  if (!text.empty() && text.front() == '[') {
+    const std::size_t end = text.find(']');
+    if (end == std::string_view::npos) return std::nullopt;
+    result.host = text.substr(1, end - 1);
+    rest = text.substr(end + 1);
+  } else {
+    const std::size_t colon = std::min(text.rfind(':'), text.size());
+    result.host = text.substr(0, colon);
+    rest = text.substr(colon);
+  }
+  result.port = default_port;
+  if (!rest.empty()) {
+    const auto port = rest.front() == ':' ? whole_number(rest.substr(1), 65535) : std::nullopt;
+    if (!port || *port == 0) return std::nullopt;
+    result.port = *port;
+  }
+  if (result.host.empty()) return std::nullopt;
+  return result;
+}
+
+}  // namespace rigsound::config

@@ -1,0 +1,118 @@
+#include "rigsound/config/rig.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "rig/sections.hpp"
+#include "rigsound/config/sound_set_files.hpp"
+#include "rigsound/input_error.hpp"
+#include "text/nearest_word.hpp"
+
+namespace rigsound::config {
+namespace {
+
+constexpr double kCyclesUntilStale = 3, kLeastStale = 0.1;  // s
+constexpr double kStaleWithoutCycle = 1.0;                  // s
+
+void note_stale(StaleDefaults& stale, Signal s, double cycle_s) {
+  const double after = cycle_s > 0 ? std::max(kLeastStale, kCyclesUntilStale * cycle_s) : kStaleWithoutCycle;
+  double& limit = stale[static_cast<std::size_t>(s)];
+  limit = std::max(limit, after);
+}
+
+/// A server cannot know how often its clients write, so it promises nothing.
+StaleDefaults stale_defaults(const Rig& rig) {
+  StaleDefaults stale{};
+  for (const can::CanOptions& bus : rig.can)
+    for (const can::SignalRoute& route : bus.routes) note_stale(stale, route.target.signal, route.cycle_s);
+  for (const modbus::ModbusOptions& link : rig.modbus)
+    for (const modbus::RegisterRoute& route : link.routes)
+      if (link.role == modbus::Role::kClient) note_stale(stale, route.target.signal, link.poll_s);
+  return stale;
+}
+
+void require_one_source(const Rig& rig, const TomlTable& root) {
+  std::set<std::pair<Signal, int>> seen;
+  const auto note = [&](const char* section, SignalId id) {
+    if (!seen.emplace(id.signal, id.boom).second)
+      root.fail(section,
+                "delivers " + signal_label(rig, id) + ", but another bus does too, expected one source");
+  };
+  for (const can::CanOptions& bus : rig.can)
+    for (const can::SignalRoute& route : bus.routes) note("can", route.target);
+  for (const modbus::ModbusOptions& link : rig.modbus)
+    for (const modbus::RegisterRoute& route : link.routes) note("modbus", route.target);
+}
+
+void require_own_interfaces(const Rig& rig, const TomlTable& root) {
+  std::set<std::string> seen;
+  for (const can::CanOptions& bus : rig.can)
+    if (!seen.insert(bus.interface).second)
+      root.fail("can", "names the interface " + bus.interface + " twice, expected one [[can]] for each");
+}
+
+void read_sound(TomlTable table, const std::filesystem::path& folder, Rig& rig) {
+  const std::string set = table.text("set", "");
+  rig.sound_set_line = table.line_of("set");
+  if (!set.empty()) rig.sound_set = (folder / set).lexically_normal();
+  rig.engine.seed = static_cast<std::uint64_t>(table.integer("seed", 1, 0, 2147483647));
+  table.refuse_unknown();
+}
+
+}  // namespace
+
+Rig load_rig(const std::filesystem::path& file) {
+  TomlTable root = TomlTable::read(file);
+  const std::filesystem::path folder = file.parent_path();
+  Rig rig;
+  rig.file = file;
+  rig.audio = read_audio(root.table("audio"));
+  read_sound(root.table("sound"), folder, rig);
+  Booms booms = read_booms(root.tables("boom"));
+  rig.boom_tools = std::move(booms.tools);
+  rig.boom_tool_lines = std::move(booms.tool_lines);
+  rig.engine.sample_rate = rig.audio.rate;
+  rig.engine.block = rig.audio.block;
+  rig.engine.channels = rig.audio.channels;
+  rig.engine.booms = std::move(booms.options);
+  rig.engine.scene = read_scene(root.table("scene"));
+  rig.engine.mix = read_mix(root.table("mix"));
+  for (TomlTable& table : root.tables("can")) rig.can.push_back(read_can(table, folder, rig.engine.booms));
+  for (TomlTable& table : root.tables("modbus")) rig.modbus.push_back(read_modbus(table, rig.engine.booms));
+  rig.safety = read_safety(root.table("safety"), stale_defaults(rig));
+  rig.control = read_control(root.table("control"));
+  root.refuse_unknown();
+  require_own_interfaces(rig, root);
+  require_one_source(rig, root);
+  return rig;
+}
+
+SoundSet load_sounds(Rig& rig) {
+  if (rig.sound_set.empty())
+    throw InputError(rig.file.string(), rig.sound_set_line, "sound.set",
+                     "is missing, expected the folder of a sound set");
+  std::error_code error;
+  if (!std::filesystem::is_directory(rig.sound_set, error))
+    throw InputError(rig.file.string(), rig.sound_set_line, "sound.set",
+                     "there is no folder " + rig.sound_set.string() + ", expected a sound set");
+  SoundSet sounds = load_sound_set(rig.sound_set, rig.audio.rate);
+  for (std::size_t i = 0; i < rig.boom_tools.size(); ++i) {
+    const std::string& wanted = rig.boom_tools[i];
+    if (wanted.empty()) continue;
+    const auto found = std::find_if(sounds.tools.begin(), sounds.tools.end(),
+                                    [&](const ToolModel& tool) { return tool.name == wanted; });
+    if (found == sounds.tools.end())
+      throw InputError(rig.file.string(), rig.boom_tool_lines[i], "boom.tool",
+                       "the sound set " + rig.sound_set.string() + " has no tool '" + wanted + "'");
+    rig.engine.booms[i].tool = static_cast<int>(found - sounds.tools.begin());
+  }
+  return sounds;
+}
+
+std::string signal_label(const Rig& rig, SignalId id) {
+  const std::string name(info(id.signal).name);
+  if (id.boom == 0 || id.boom >= rig.engine.booms.size()) return name;
+  return rig.engine.booms[id.boom].name + "." + name;
+}
+
+}  // namespace rigsound::config

@@ -1,0 +1,41 @@
+// One reader a section of the rig file.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "rigsound/config/rig.hpp"
+#include "toml/toml_table.hpp"
+
+namespace rigsound::config {
+
+audio::AudioOptions read_audio(TomlTable table);
+SceneOptions read_scene(TomlTable table);
+MixOptions read_mix(TomlTable table);
+ControlOptions read_control(TomlTable table);
+
+struct Booms {
+  std::vector<BoomOptions> options;
+  std::vector<std::string> tools;
+  std::vector<int> tool_lines;
+};
+Booms read_booms(std::vector<TomlTable> tables);
+
+/// What buses promise about each signal: the age at which it is stale unless the rig says otherwise.
+/// 0 where nothing is promised.
+using StaleDefaults = std::array<double, kSignalCount>;
+SafetyOptions read_safety(TomlTable table, const StaleDefaults& stale);
+
+can::CanOptions read_can(TomlTable table, const std::filesystem::path& folder,
+                         const std::vector<BoomOptions>& booms);
+modbus::ModbusOptions read_modbus(TomlTable table, const std::vector<BoomOptions>& booms);
+
+/// Walks a table `signal = ...`, in which a boom's name holds a table of that boom's signals. Calls `each`
+/// with the table that holds the key, the key and the signal. Refuses names that are no signal.
+void read_signals(TomlTable table, const std::vector<BoomOptions>& booms,
+                  const std::function<void(TomlTable&, const std::string& key, SignalId)>& each);
+
+}  // namespace rigsound::config

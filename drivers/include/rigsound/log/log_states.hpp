@@ -1,0 +1,32 @@
+// What a recorded bus told the engine, block by block.
+#pragma once
+
+#include "rigsound/audio/block_loop.hpp"
+#include "rigsound/log/can_log.hpp"
+#include "rigsound/signal_board.hpp"
+
+namespace rigsound::log {
+
+/// A frame acts from the first block on that begins at its time or later. Ends with the last frame.
+/// Thread: OFF.
+class LogStates : public audio::StateSource {
+ public:
+  LogStates(CanLog& log, const SafetyOptions& safety, const EngineOptions& options)
+      : log_(log), board_(safety), block_s_(options.block / options.sample_rate) {}
+
+  const MachineState* state_of(std::uint64_t number) override {
+    if (!log_.next_s()) return nullptr;
+    const double now_s = static_cast<double>(number) * block_s_;
+    log_.advance(now_s, board_);
+    state_ = board_.resolve(now_s);
+    return &state_;
+  }
+
+ private:
+  CanLog& log_;
+  SignalBoard board_;
+  double block_s_;
+  MachineState state_;
+};
+
+}  // namespace rigsound::log

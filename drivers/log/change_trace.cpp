@@ -1,0 +1,49 @@
+#include "rigsound/log/change_trace.hpp"
+
+#include <optional>
+
+namespace rigsound::log {
+namespace {
+
+constexpr double kStep = 0.01;  // s
+
+class Watch {
+ public:
+  Watch(const SafetyOptions& safety, const std::vector<SignalId>& watched,
+        const std::function<void(const Change&)>& report)
+      : board_(safety), watched_(watched), told_(watched.size()), report_(report) {}
+
+  SignalBoard& board() { return board_; }
+
+  void look(double now_s) {
+    board_.resolve(now_s);
+    for (std::size_t i = 0; i < watched_.size(); ++i) {
+      if (board_.reading(watched_[i], now_s).validity == Validity::kNeverSeen) continue;
+      const double value = board_.resolved(watched_[i]);
+      if (told_[i] != value) report_({now_s, watched_[i], value});
+      told_[i] = value;
+    }
+  }
+
+ private:
+  SignalBoard board_;
+  const std::vector<SignalId>& watched_;
+  std::vector<std::optional<double>> told_;
+  const std::function<void(const Change&)>& report_;
+};
+
+}  // namespace
+
+void trace_changes(CanLog& log, const SafetyOptions& safety, const std::vector<SignalId>& watched,
+                   const std::function<void(const Change&)>& report) {
+  Watch watch(safety, watched, report);
+  double now_s = 0;
+  while (const auto next_s = log.next_s()) {
+    for (now_s += kStep; now_s < *next_s; now_s += kStep) watch.look(now_s);
+    now_s = *next_s;
+    log.advance(now_s, watch.board());
+    watch.look(now_s);
+  }
+}
+
+}  // namespace rigsound::log

@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "rigsound/config/rig.hpp"
+#include "verbs.hpp"
+
+namespace rigsound::tools {
+namespace {
+
+void print_rule(const config::Rig& rig, SignalId id) {
+  constexpr std::string_view kActions[] = {"hold", "idle", "mute"};
+  const SafetyRule& rule = rig.safety.rule[static_cast<std::size_t>(id.signal)];
+  if (rule.stale_after_s > 0)
+    fmt::print("  stale after {:g} ms: {}\n", rule.stale_after_s * 1000,
+               kActions[static_cast<std::size_t>(rule.action)]);
+  else
+    fmt::print("  never stale\n");
+}
+
+void print_can(const config::Rig& rig) {
+  for (const can::CanOptions& bus : rig.can) {
+    fmt::print("can {}{}: {} signals\n", bus.interface, bus.fd ? " (fd)" : "", bus.routes.size());
+    for (const can::SignalRoute& route : bus.routes) {
+      fmt::print("  {:<20} {} ({} {:X})", config::signal_label(rig, route.target), route.name,
+                 route.match.j1939 ? "J1939 like" : "id", route.match.id);
+      print_rule(rig, route.target);
+    }
+  }
+}
+
+void print_modbus(const config::Rig& rig) {
+  constexpr std::string_view kTables[] = {"holding", "input", "discrete", "coil"};
+  constexpr int kFirst[] = {40001, 30001, 10001, 1};
+  for (const modbus::ModbusOptions& link : rig.modbus) {
+    fmt::print("modbus {} {}: {} signals\n", link.role == modbus::Role::kServer ? "server" : "client",
+               link.address, link.routes.size());
+    for (const modbus::RegisterRoute& route : link.routes) {
+      const auto table =
+          static_cast<std::size_t>(route.table == modbus::Table::kCoil       ? 3
+                                   : route.table == modbus::Table::kDiscrete ? 2
+                                                                             : static_cast<int>(route.table));
+      fmt::print("  {:<20} {} {} = {:05}", config::signal_label(rig, route.target), kTables[table],
+                 route.address, kFirst[table] + route.address);
+      print_rule(rig, route.target);
+    }
+  }
+}
+
+bool delivers(const config::Rig& rig, Signal signal) {
+  for (const can::CanOptions& bus : rig.can)
+    for (const can::SignalRoute& route : bus.routes)
+      if (route.target.signal == signal) return true;
+  for (const modbus::ModbusOptions& link : rig.modbus)
+    for (const modbus::RegisterRoute& route : link.routes)
+      if (route.target.signal == signal) return true;
+  return false;
+}
+
+void warn_of_missing_signals(const config::Rig& rig) {
+  for (const Signal needed : {Signal::kEngineRpm, Signal::kFeedPressureBar, Signal::kRattling})
+    if (!delivers(rig, needed))
+      fmt::print(stderr, "{}: no bus delivers {}, it will stay at {:g}\n", rig.file.string(),
+                 info(needed).name, info(needed).absent);
+}
+
+void check(const std::string& file) {
+  config::Rig rig = config::load_rig(file);
+  SoundSet sounds = config::load_sounds(rig);
+  std::size_t clicks = 0;
+  for (const ClickBank& bank : sounds.banks) clicks += bank.clicks.size();
+  const std::string summary = fmt::format(
+      "sound set {}: {} banks, {} clicks, {} rocks, {} tools, {} backgrounds\n", rig.sound_set.string(),
+      sounds.banks.size(), clicks, sounds.rocks.size(), sounds.tools.size(), sounds.backgrounds.size());
+  const Engine engine(rig.engine, std::move(sounds));  // builds every table the daemon would
+  fmt::print("ok\n");
+  fmt::print("audio {}: {:g} Hz, {} channels, blocks of {} frames ({:.2f} ms), {} periods\n",
+             rig.audio.device, rig.audio.rate, rig.audio.channels, rig.audio.block,
+             rig.audio.block / rig.audio.rate * 1000, rig.audio.periods);
+  fmt::print("{}", summary);
+  fmt::print("booms:");
+  for (const BoomOptions& boom : rig.engine.booms) fmt::print(" {}", boom.name);
+  fmt::print("\n");
+  print_can(rig);
+  print_modbus(rig);
+  warn_of_missing_signals(rig);
+}
+
+}  // namespace
+
+void add_check(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand("check", "Validates everything the daemon would load.");
+  auto rig = std::make_shared<std::string>();
+  verb->add_option("RIG.toml", *rig, "the rig")->required();
+  verb->callback([rig] { check(*rig); });
+  verb->footer(
+      "Prints `ok` and a summary, or one line FILE:LINE: KEY: what is wrong, what was expected (exit code "
+      "1).\n\n"
+      "Example: rigsound check config/rigs/demo.toml");
+}
+
+}  // namespace rigsound::tools
