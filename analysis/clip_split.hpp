@@ -1,0 +1,27 @@
+// What either method makes of one normalised clip.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "dump.hpp"
+#include "rigsound/analysis/chain.hpp"
+
+namespace rigsound::analysis {
+
+/// All in the units of the normalised clip (RMS 1).
+struct ClipSplit {
+  std::string reason;                    ///< why there is no drilling; empty when there is
+  ClickTrain clicks;                     ///< amplitudes in the whitened signal
+  std::vector<float> drilling;           ///< as long as the clip
+  Eigen::ArrayXd signal_psd, noise_psd;  ///< mean power per bin of kChainStft
+};
+
+/// Steps 1 to 6 of the click-synchronous method. Thread: OFF.
+ClipSplit split_by_click_nmf(const std::vector<float>& x, const ChainOptions& options, const Dump& dump);
+
+/// Sections 2 and 3.1 to 3.5 of the drilling paper. Thread: OFF.
+ClipSplit split_by_paper(const std::vector<float>& x, const ChainOptions& options, const Dump& dump);
+
+}  // namespace rigsound::analysis

@@ -1,0 +1,42 @@
+#include "clicks/candidates.hpp"
+#include "clicks/drilling_test.hpp"
+#include "clicks/paper_second_stage.hpp"
+#include "clicks/whitening.hpp"
+#include "clip_split.hpp"
+#include "denoise/paper_nmf.hpp"
+#include "denoise/stft.hpp"
+
+namespace rigsound::analysis {
+namespace {
+
+constexpr int kLpcOrder = 1024;  // section 3.1
+
+Eigen::ArrayXd mean_power(const std::vector<float>& x) {
+  return stft(x, kChainStft).abs2().cast<double>().rowwise().mean();
+}
+
+std::vector<float> without(const std::vector<float>& x, const std::vector<float>& part) {
+  std::vector<float> rest(x);
+  for (size_t n = 0; n < rest.size(); ++n) rest[n] -= part[n];
+  return rest;
+}
+
+}  // namespace
+
+ClipSplit split_by_paper(const std::vector<float>& x, const ChainOptions& options, const Dump& dump) {
+  PaperNmfOptions nmf;
+  nmf.seed = options.seed;
+  ClipSplit split;
+  split.drilling =
+      options.denoise ? inverse_stft(paper_drilling(stft(x, kPaperStft), nmf), x.size(), kPaperStft) : x;
+  const Eigen::ArrayXd y = whiten(split.drilling, lpc_whitener(split.drilling, kLpcOrder));
+  dump.signal("denoised", Eigen::Map<const Eigen::ArrayXf>(split.drilling.data(), y.size()).cast<double>());
+  dump.signal("whitened", y);
+  split.clicks = paper_clicks(y);
+  split.reason = no_drilling_reason(find_candidates(y), split.clicks);
+  split.signal_psd = mean_power(split.drilling);
+  split.noise_psd = mean_power(without(x, split.drilling));
+  return split;
+}
+
+}  // namespace rigsound::analysis
