@@ -1,0 +1,39 @@
+// A session as a source of states: the run, once more.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "rigsound/audio/block_loop.hpp"
+#include "rigsound/log/session_writer.hpp"
+
+namespace rigsound::log {
+
+/// Thread: OFF.
+class SessionStates : public audio::StateSource {
+ public:
+  /// Errors: InputError for a file that is no session, of another format, or without a single whole chunk.
+  explicit SessionStates(const std::filesystem::path& file);
+
+  const SessionHeader& header() const { return header_; }
+  std::uint64_t blocks() const { return blocks_; }          ///< of the whole chunks
+  std::uint64_t bytes_ignored() const { return ignored_; }  ///< after them: a torn or damaged end
+
+  const MachineState* state_of(std::uint64_t number) override;
+
+ private:
+  struct Change {
+    std::uint64_t block = 0;
+    MachineState state;
+  };
+  void read_chunks(const std::string& bytes, std::size_t at);
+
+  SessionHeader header_;
+  std::vector<Change> changes_;
+  std::uint64_t blocks_ = 0, ignored_ = 0;
+  std::size_t next_ = 0;  // change not yet acting
+};
+
+}  // namespace rigsound::log

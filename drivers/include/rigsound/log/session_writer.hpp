@@ -1,0 +1,60 @@
+// What a live run did, written so that a crash costs a second at most.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "rigsound/audio/audio_options.hpp"
+#include "rigsound/file/file_descriptor.hpp"
+#include "rigsound/machine_state.hpp"
+
+namespace rigsound::log {
+
+constexpr int kSessionFormat = 1;
+
+/// What must be the same for the same samples to come out.
+struct SessionHeader {
+  std::string program;      ///< version that wrote it
+  std::string fingerprint;  ///< of engine options and sound set; hexadecimal
+  std::uint64_t seed = 1;
+  double sample_rate = 48000;  ///< Hz
+  int block = 64;              ///< frames
+  int channels = 2;
+  audio::SampleFormat format = audio::SampleFormat::kFloat;  ///< the card's
+};
+
+/// A header in text, then chunks: magic, size and CRC-32, number of the block that follows, and the changes
+/// of state since the chunk before (block, fields that changed). A chunk that is not whole ends the file.
+/// Thread: CT.
+class SessionWriter {
+ public:
+  /// Starts a new file. Errors: DeviceError.
+  SessionWriter(std::filesystem::path file, const SessionHeader& header);
+
+  /// `state` acts from `block` on. Blocks must rise; block 0 must be told.
+  void add(std::uint64_t block, const MachineState& state);
+
+  /// Hands everything to the kernel, which keeps it when this process is killed. `blocks`: rendered so
+  /// far. Errors: DeviceError; the file then ends with the chunk before.
+  void flush(std::uint64_t blocks);
+
+  std::uint64_t bytes() const { return bytes_; }
+
+ private:
+  void append(const std::string& bytes);
+
+  std::filesystem::path file_;
+  FileDescriptor fd_;
+  std::uint64_t bytes_ = 0;
+  std::string changes_;  // of the chunk to come
+  std::vector<std::uint32_t> last_words_;
+  std::uint64_t last_block_ = 0;
+};
+
+/// Where older sessions go: NAME.rigsession becomes NAME.1.rigsession, that NAME.2.rigsession, and so on;
+/// only `keep` older ones stay. Errors: DeviceError.
+void shift_older_sessions(const std::filesystem::path& file, int keep);
+
+}  // namespace rigsound::log

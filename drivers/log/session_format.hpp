@@ -1,0 +1,37 @@
+// Bytes of a session file.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "rigsound/log/session_writer.hpp"
+
+namespace rigsound::log {
+
+constexpr std::string_view kSessionTitle = "rigsound-session";
+constexpr std::uint32_t kChunkMagic = 0x43534752;  // "RGSC"
+
+/// All little-endian. `check` covers `blocks` and the payload.
+struct ChunkHead {
+  std::uint32_t magic = kChunkMagic;
+  std::uint32_t size = 0;    ///< of the payload, bytes
+  std::uint32_t check = 0;   ///< CRC-32
+  std::uint64_t blocks = 0;  ///< rendered when the chunk was written
+};
+constexpr std::size_t kChunkHeadBytes = 20;
+
+std::string chunk(std::uint64_t blocks, std::string_view payload);
+
+/// Reads the chunk at `at` and moves `at` behind it. Returns false when there is no whole, sound chunk.
+bool read_chunk(std::string_view bytes, std::size_t& at, std::uint64_t& blocks, std::string_view& payload);
+
+std::string header_text(const SessionHeader& header);
+
+/// Seven bits a byte, least significant first.
+void put_varint(std::string& out, std::uint64_t value);
+bool get_varint(std::string_view& in, std::uint64_t& value);
+void put_u32(std::string& out, std::uint32_t value);
+bool get_u32(std::string_view& in, std::uint32_t& value);
+
+}  // namespace rigsound::log

@@ -1,0 +1,99 @@
+#include "rigsound/log/session_states.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <sstream>
+
+#include "log/session_format.hpp"
+#include "log/state_words.hpp"
+#include "rigsound/audio/sample_format.hpp"
+#include "rigsound/input_error.hpp"
+
+namespace rigsound::log {
+namespace {
+
+std::string read_all(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw InputError(file.string(), "cannot be opened, expected a session");
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The lines of the header by their first word; `at` moves behind the empty line that ends it.
+std::map<std::string, std::string> header_lines(const std::string& bytes, std::size_t& at) {
+  std::map<std::string, std::string> lines;
+  while (at < bytes.size()) {
+    const std::size_t end = bytes.find('\n', at);
+    if (end == std::string::npos) return lines;
+    const std::string line = bytes.substr(at, end - at);
+    at = end + 1;
+    if (line.empty()) return lines;
+    const std::size_t space = line.find(' ');
+    lines[line.substr(0, space)] = space == std::string::npos ? "" : line.substr(space + 1);
+  }
+  return lines;
+}
+
+template <typename Number>
+bool read_number(const std::string& text, Number& value) {
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
+  return static_cast<bool>(in >> value);
+}
+
+SessionHeader parse_header(const std::string& file, const std::string& bytes, std::size_t& at) {
+  auto lines = header_lines(bytes, at);
+  const std::string format = lines[std::string(kSessionTitle)];
+  if (format.empty()) throw InputError(file, "is no session, expected a file written by rigsoundd --session");
+  if (format != std::to_string(kSessionFormat))
+    throw InputError(file, 1, kSessionTitle,
+                     "format " + format + ", expected " + std::to_string(kSessionFormat));
+  SessionHeader h;
+  h.program = lines["program"];
+  h.fingerprint = lines["fingerprint"];
+  const auto sample_format = audio::sample_format_by_name(lines["format"]);
+  const bool good = read_number(lines["seed"], h.seed) && read_number(lines["sample_rate"], h.sample_rate) &&
+                    read_number(lines["block"], h.block) && read_number(lines["channels"], h.channels) &&
+                    sample_format;
+  if (!good)
+    throw InputError(file, "has a damaged header, expected seed, sample_rate, block, channels, format");
+  h.format = *sample_format;
+  return h;
+}
+
+}  // namespace
+
+SessionStates::SessionStates(const std::filesystem::path& file) {
+  const std::string bytes = read_all(file);
+  std::size_t at = 0;
+  header_ = parse_header(file.string(), bytes, at);
+  read_chunks(bytes, at);
+  if (changes_.empty() || changes_.front().block != 0)
+    throw InputError(file.string(), "holds no state for block 0, expected at least one whole chunk");
+}
+
+void SessionStates::read_chunks(const std::string& bytes, std::size_t at) {
+  StateWords words{};
+  std::uint64_t block = 0, blocks = 0;
+  std::string_view payload;
+  while (read_chunk(bytes, at, blocks, payload)) {
+    std::uint64_t step = 0, mask = 0;
+    while (!payload.empty() && get_varint(payload, step) && get_varint(payload, mask)) {
+      for (std::size_t i = 0; i < words.size(); ++i)
+        if ((mask >> i & 1) != 0) get_u32(payload, words[i]);
+      block += step;
+      changes_.push_back({block, log::state_of(words)});
+    }
+    blocks_ = blocks;
+  }
+  ignored_ = bytes.size() - at;
+}
+
+const MachineState* SessionStates::state_of(std::uint64_t number) {
+  if (number >= blocks_) return nullptr;
+  if (number == 0) next_ = 0;
+  while (next_ < changes_.size() && changes_[next_].block <= number) ++next_;
+  return &changes_[next_ - 1].state;
+}
+
+}  // namespace rigsound::log

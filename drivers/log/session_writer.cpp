@@ -1,0 +1,81 @@
+#include "rigsound/log/session_writer.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "log/session_format.hpp"
+#include "log/state_words.hpp"
+#include "rigsound/device_error.hpp"
+
+namespace rigsound::log {
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void fail(const fs::path& file, const char* what, int error) {
+  throw DeviceError(file.string() + ": session " + what + ": " + std::strerror(error));
+}
+
+fs::path older(const fs::path& file, int age) {
+  return file.parent_path() / (file.stem().string() + "." + std::to_string(age) + file.extension().string());
+}
+
+}  // namespace
+
+SessionWriter::SessionWriter(fs::path file, const SessionHeader& header)
+    : file_(std::move(file)),
+      fd_(::open(file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)),
+      last_words_(kStateWords) {
+  if (!fd_) fail(file_, "cannot be written", errno);
+  append(header_text(header));
+}
+
+void SessionWriter::add(std::uint64_t block, const MachineState& state) {
+  const StateWords words = words_of(state);
+  std::uint64_t mask = 0;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (words[i] != last_words_[i]) mask |= std::uint64_t{1} << i;
+  put_varint(changes_, block - last_block_);
+  put_varint(changes_, mask);
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if ((mask >> i & 1) != 0) put_u32(changes_, words[i]);
+  last_words_.assign(words.begin(), words.end());
+  last_block_ = block;
+}
+
+void SessionWriter::flush(std::uint64_t blocks) {
+  append(chunk(blocks, changes_));
+  changes_.clear();
+}
+
+void SessionWriter::append(const std::string& bytes) {
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t wrote = ::write(fd_.get(), bytes.data() + done, bytes.size() - done);
+    if (wrote < 0 && errno == EINTR) continue;
+    if (wrote < 0) {
+      const int error = errno;
+      if (::ftruncate(fd_.get(), static_cast<off_t>(bytes_)) !=
+          0) {  // a torn end is ignored by readers anyway
+      }
+      fail(file_, "stops", error);
+    }
+    done += static_cast<std::size_t>(wrote);
+  }
+  bytes_ += bytes.size();
+}
+
+void shift_older_sessions(const fs::path& file, int keep) {
+  std::error_code error;
+  fs::remove(older(file, keep), error);
+  for (int age = keep - 1; age >= 0; --age) {
+    const fs::path from = age == 0 ? file : older(file, age);
+    if (!fs::exists(from, error)) continue;
+    fs::rename(from, older(file, age + 1), error);
+    if (error) fail(from, "cannot be put aside", error.value());
+  }
+}
+
+}  // namespace rigsound::log

@@ -1,0 +1,185 @@
+// A session gives back what was written, up to the last whole chunk, whatever happened to its end.
+#include <doctest/doctest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <random>
+
+#include "log/state_words.hpp"
+#include "rigsound/device_error.hpp"
+#include "rigsound/input_error.hpp"
+#include "rigsound/log/session_states.hpp"
+
+using namespace rigsound;
+using namespace rigsound::log;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Folder {
+  Folder() : path(fs::temp_directory_path() / ("rigsound_session_" + std::to_string(::getpid()))) {
+    fs::create_directories(path);
+  }
+  ~Folder() { fs::remove_all(path); }
+  fs::path path;
+  fs::path file = path / "run.rigsession";
+};
+
+MachineState state(int i) {
+  MachineState s;
+  s.engine_rpm = static_cast<float>(900 + i * 0.125);
+  s.boom[static_cast<std::size_t>(i % kMaxBooms)].feed_pressure_bar = static_cast<float>(i % 200);
+  s.boom[1].rattling = i % 3 == 0 ? Rattling::kOpen : Rattling::kClosed;
+  s.boom[3].rock = static_cast<std::uint16_t>(i * 7);
+  s.boom[3].controls.attack_factor = 1.0F / static_cast<float>(i + 1);
+  return s;
+}
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write_bytes(const fs::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary | std::ios::trunc)
+      .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+/// State i acts from block 10 i on; a chunk every 5 states.
+void write_session(const fs::path& file, int states) {
+  SessionHeader header;
+  header.program = "0.1.0";
+  header.fingerprint = "00ff";
+  header.seed = 18446744073709551615ULL;
+  SessionWriter writer(file, header);
+  for (int i = 0; i < states; ++i) {
+    writer.add(static_cast<std::uint64_t>(10 * i), state(i));
+    if (i % 5 == 4) writer.flush(static_cast<std::uint64_t>(10 * i + 10));
+  }
+}
+
+void check_states(SessionStates& session) {
+  for (std::uint64_t block = 0; block < session.blocks(); ++block) {
+    const MachineState* got = session.state_of(block);
+    REQUIRE(got != nullptr);
+    REQUIRE(words_of(*got) == words_of(state(static_cast<int>(block / 10))));
+  }
+  CHECK(session.state_of(session.blocks()) == nullptr);
+}
+
+}  // namespace
+
+TEST_CASE("Every field of a state survives the way into words and back") {
+  for (int i = 0; i < 300; ++i) CHECK(words_of(state_of(words_of(state(i)))) == words_of(state(i)));
+  std::mt19937 random(1);
+  StateWords words = words_of(MachineState{});
+  CHECK(words.size() == kStateWords);
+  MachineState all = state_of(words);
+  all.boom[kMaxBooms - 1].controls.decay_factor = 7;
+  CHECK(words_of(all).back() != words.back());  // the last field is the last word: none is forgotten
+}
+
+TEST_CASE("A session gives back every state at its block, and its header") {
+  const Folder folder;
+  write_session(folder.file, 100);
+  SessionStates session(folder.file);
+  CHECK(session.blocks() == 1000);
+  CHECK(session.bytes_ignored() == 0);
+  CHECK(session.header().seed == 18446744073709551615ULL);
+  CHECK(session.header().fingerprint == "00ff");
+  check_states(session);
+}
+
+TEST_CASE("Cut off or damaged anywhere, a session gives the whole chunks before") {
+  const Folder folder;
+  write_session(folder.file, 50);
+  const std::string whole = bytes_of(folder.file);
+  const fs::path cut = folder.path / "cut.rigsession";
+  int readable = 0;
+  for (std::size_t size = 0; size < whole.size(); size += 7) {
+    write_bytes(cut, whole.substr(0, size));
+    try {
+      SessionStates session(cut);
+      check_states(session);
+      CHECK(session.blocks() % 50 == 0);
+      ++readable;
+    } catch (const InputError&) {
+      CHECK(size < 400);  // header and first chunk
+    }
+  }
+  CHECK(readable > 10);
+
+  std::string damaged = whole;
+  damaged[whole.size() - 60] ^= 1;
+  write_bytes(cut, damaged);
+  SessionStates session(cut);
+  CHECK(session.blocks() == 450);
+  CHECK(session.bytes_ignored() > 60);
+  check_states(session);
+}
+
+TEST_CASE("A process killed with SIGKILL leaves everything it had flushed") {
+  const Folder folder;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    write_session(folder.file, 52);  // 2 states never flushed
+    ::raise(SIGKILL);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  REQUIRE(WIFSIGNALED(status));
+  SessionStates session(folder.file);
+  CHECK(session.blocks() == 500);
+  check_states(session);
+}
+
+TEST_CASE("A full disk ends the recording with a word, and what is on it stays readable") {
+  const Folder folder;
+  const pid_t child = ::fork();
+  if (child == 0) {  // a limit on file size stands in for the disk: the same write fails the same way
+    ::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{1000, 1000};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    int code = 0;
+    try {
+      write_session(folder.file, 500);
+    } catch (const DeviceError&) {
+      code = 3;
+    }
+    ::_exit(code);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  CHECK(WEXITSTATUS(status) == 3);
+  SessionStates session(folder.file);
+  CHECK(session.blocks() >= 50);
+  CHECK(session.bytes_ignored() == 0);
+  check_states(session);
+}
+
+TEST_CASE("What is no session is refused") {
+  const Folder folder;
+  CHECK_THROWS_AS(SessionStates(folder.path / "missing.rigsession"), InputError);
+  for (const std::string& text :
+       {std::string(), std::string("RIFF....WAVE"), std::string("rigsound-session 2\n\n"),
+        std::string("rigsound-session 1\nseed x\n\n")}) {
+    write_bytes(folder.file, text);
+    CHECK_THROWS_AS(SessionStates{folder.file}, InputError);
+  }
+}
+
+TEST_CASE("Older sessions move up, the oldest goes") {
+  const Folder folder;
+  for (int i = 0; i < 5; ++i) {
+    shift_older_sessions(folder.file, 3);
+    write_bytes(folder.file, std::to_string(i));
+  }
+  CHECK(bytes_of(folder.file) == "4");
+  CHECK(bytes_of(folder.path / "run.1.rigsession") == "3");
+  CHECK(bytes_of(folder.path / "run.3.rigsession") == "1");
+  CHECK_FALSE(fs::exists(folder.path / "run.4.rigsession"));
+}
