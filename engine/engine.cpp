@@ -22,7 +22,8 @@ struct Boom {
       : scene(options, sounds), impacts(options.seed, index), drill(options.seed, index) {
     const int tool_index = options.booms[static_cast<std::size_t>(index)].tool;
     if (tool_index >= 0)
-      tool.emplace_back(sounds.tools[static_cast<std::size_t>(tool_index)], options.sample_rate);
+      tool.emplace_back(sounds.tools[static_cast<std::size_t>(tool_index)], options.sample_rate, options.seed,
+                        index);
   }
 
   void process(double* drill_bus, double* tool_bus) noexcept {
@@ -32,7 +33,14 @@ struct Boom {
     if (tool.empty())
       std::fill(tool_bus, tool_bus + kChunk, 0.0);
     else
-      tool.front().process(impacts.begin(), impacts.count(), tool_bus);
+      tool.front().process(impacts.begin(), impacts.count(), tool_controls(), tool_bus);
+  }
+
+  tool::ToolControls tool_controls() const noexcept {
+    tool::ToolControls controls;
+    if (scene.statistics().T_0 > 0) controls.period = scene.statistics().T_0;
+    controls.rods = scene.state().rod_count;
+    return controls;
   }
 
   scene::BoomScene scene;

@@ -21,6 +21,7 @@ class JsonFile {
   std::string text(std::string_view key) const;
   std::vector<float> floats(std::string_view key, double min, double max) const;
   const nlohmann::json& value(std::string_view key) const;
+  const nlohmann::json& root() const { return root_; }        ///< the object whose keys these are
   JsonFile object(std::string_view key) const;                ///< the object under `key`
   std::vector<JsonFile> objects(std::string_view key) const;  ///< the list of objects under `key`
 

@@ -1,74 +1,117 @@
 #include "tool/tool_layer.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "dsp/elementary.hpp"
 
 namespace rigsound::tool {
 namespace {
 
-constexpr double kLongitudinalSpeed = 5200;  // m/s in steel
-constexpr double kPulse_s = 10 / 44100.0;    // erratum 11 of waveguide.md
-constexpr double kLambda = -0.618;           // the paper's allpass coefficient
-constexpr double kDcPole = 0.995;
-constexpr double kLevel = 0.2;
+constexpr double kFade_s = 0.020;
+constexpr double kGainRamp_s = 0.010;          // a gain goes from 0 to 1 in this time
+constexpr double kReflectionSlope_per_s = 60;  // faster ramps of k are heard as noise above 12 kHz
+constexpr double kMaxReflection = 0.9999;
 
-std::vector<double> delay_of(double seconds, double sample_rate) {
-  return std::vector<double>(static_cast<std::size_t>(std::max(2.0, std::floor(seconds * sample_rate + 0.5))),
-                             0.0);
-}
+double smoothstep(double x) noexcept { return x * x * (3 - 2 * x); }
 
 }  // namespace
 
-ToolLayer::ToolLayer(const ToolModel& model, double sample_rate) : pulse_samples_(kPulse_s * sample_rate) {
-  if (!(model.length_m > 0) || !(model.diameter_m > 0) || model.diameter_m > model.length_m)
-    throw std::invalid_argument("tool \"" + model.name +
-                                "\": length and diameter must be positive, diameter below length");
-  const double round_trip_s = 2 * model.length_m / kLongitudinalSpeed;
-  longitudinal_.delay = delay_of(round_trip_s, sample_rate);
-  longitudinal_.reflection = model.k_L;
-  transversal_.delay = delay_of(round_trip_s * 4, sample_rate);
-  transversal_.reflection = (model.k_Tmin + model.k_Tmax) / 2;
-  age_.fill(1e9);
-  const double t = std::sqrt(3.0) * dsp::tan(dsp::kPi * 800 / sample_rate);
-  high_pole_ = (1 - t) / (1 + t);
+double ToolLayer::Ramp::next(double target) noexcept {
+  value = value < target ? std::min(target, value + step) : std::max(target, value - step);
+  return value;
 }
 
-double ToolLayer::Loop::process(double x) noexcept {
-  double v = delay[at];
-  const double blocked = (1 + kDcPole) / 2 * (v - dc_in) + kDcPole * dc_out;
-  dc_in = v;
-  dc_out = v = blocked;
-  for (double& s : allpass) {
-    const double u = v - kLambda * s;
-    v = kLambda * u + s;
-    s = u;
+ToolLayer::ToolLayer(const ToolModel& model, double sample_rate, std::uint64_t seed, int boom,
+                     LaneWidth width)
+    : model_(model),
+      sample_rate_(sample_rate),
+      width_(width),
+      strikes_(model.strike, sample_rate, seed, boom),
+      fade_step_(1 / (kFade_s * sample_rate)) {
+  designs_.push_back(design_for(model, sample_rate));
+  for (const RodSteel& rod : model.rods) {
+    ToolModel other = model;
+    other.bar = rod.bar;
+    other.designs.clear();
+    designs_.push_back(design_tool(other, sample_rate));
   }
-  const double y = x + reflection * v;
-  delay[at] = y;
-  at = at + 1 < delay.size() ? at + 1 : 0;
-  return y;
+  steels_.assign(2, steel_of(designs_.front()));
+  for (const ToolBand& band : model.voicing.equaliser)
+    equaliser_.emplace_back(dsp::peaking(band.frequency_hz, band.gain_db, band.q, sample_rate));
+  for (Ramp* gain : {&amplitude_, &mix_T_, &mix_L_}) gain->step = 1 / (kGainRamp_s * sample_rate);
+  for (Ramp* reflection : {&k_T_, &k_L_}) reflection->step = kReflectionSlope_per_s / sample_rate;
 }
 
-void ToolLayer::process(const Impact* impacts, int count, double* out) noexcept {
-  for (int i = 0; i < count; ++i) {
-    age_[next_] = -impacts[i].onset;
-    strength_[next_] = impacts[i].amplitude;
-    next_ = (next_ + 1) % age_.size();
-  }
+ToolLayer::Steel ToolLayer::steel_of(const ToolDesign& design) const noexcept {
+  return {BarLoops(design, model_.voicing.highpass_hz, width_),
+          Contact(design.transversal, model_.strike, sample_rate_), design.longitudinal.k_max};
+}
+
+void ToolLayer::change(const ToolDesign& design) noexcept {
+  wanted_ = design;
+  change_waits_ = true;
+}
+
+void ToolLayer::follow_rods(int rods) noexcept {
+  std::size_t choice = 0;
+  for (std::size_t i = 0; i < model_.rods.size(); ++i)
+    if (model_.rods[i].rods == rods) choice = i + 1;
+  if (choice == chosen_) return;
+  chosen_ = choice;
+  change(designs_[choice]);
+}
+
+void ToolLayer::begin_fade() noexcept {
+  if (!change_waits_ || fade_ > 0) return;
+  change_waits_ = false;
+  steels_[1 - ringing_] = steel_of(wanted_);
+  fade_ = fade_step_;
+}
+
+void ToolLayer::drive(const Excitation& excitation, const ToolControls& controls) noexcept {
+  const ToolVoicing& voicing = model_.voicing;
   for (int n = 0; n < kChunk; ++n) {
-    double x = 0;
-    for (std::size_t i = 0; i < age_.size(); ++i) {
-      if (age_[i] >= 0 && age_[i] < pulse_samples_)
-        x += strength_[i] / 2 * (1 - dsp::cos(dsp::kTwoPi * age_[i] / pulse_samples_));
-      age_[i] += 1;
-    }
-    const double bar = 0.5 * longitudinal_.process(x) + 0.5 * transversal_.process(x);
-    high_out_ = (1 + high_pole_) / 2 * (bar - high_in_) + high_pole_ * high_out_;
-    high_in_ = bar;
-    out[n] = kLevel * high_out_;
+    drive_.x[n] = excitation.x[n] * amplitude_.next(controls.amplitude);
+    factor_T_[n] = k_T_.next(controls.k_T);
+    factor_L_[n] = k_L_.next(controls.k_L);
+    drive_.mix[n][kTransversal] = voicing.level * voicing.mix_T * mix_T_.next(controls.mix_T);
+    drive_.mix[n][kLongitudinal] = voicing.level * voicing.mix_L * mix_L_.next(controls.mix_L);
   }
+}
+
+void ToolLayer::ring(Steel& steel, const Excitation& excitation, double* out) noexcept {
+  double k_T[kChunk];
+  steel.contact.process(excitation.slope, k_T);
+  for (int n = 0; n < kChunk; ++n) {
+    drive_.k[n][kTransversal] = std::min(kMaxReflection, k_T[n] * factor_T_[n]);
+    drive_.k[n][kLongitudinal] = std::min(kMaxReflection, steel.k_L * factor_L_[n]);
+  }
+  steel.loops.process(drive_, out);
+}
+
+void ToolLayer::crossfade(const Excitation& excitation, double* out) noexcept {
+  double next[kChunk];
+  ring(steels_[1 - ringing_], excitation, next);
+  for (int n = 0; n < kChunk; ++n) {
+    out[n] += smoothstep(fade_) * (next[n] - out[n]);
+    fade_ = std::min(1.0, fade_ + fade_step_);
+  }
+  if (fade_ < 1) return;
+  ringing_ = 1 - ringing_;
+  fade_ = 0;
+}
+
+void ToolLayer::process(const Impact* impacts, int count, const ToolControls& controls,
+                        double* out) noexcept {
+  follow_rods(controls.rods);
+  begin_fade();
+  Excitation excitation;
+  strikes_.process(impacts, count, controls.period, excitation);
+  drive(excitation, controls);
+  ring(steels_[ringing_], excitation, out);
+  if (fade_ > 0) crossfade(excitation, out);
+  for (dsp::Biquad& band : equaliser_)
+    for (int n = 0; n < kChunk; ++n) out[n] = band.process(out[n]);
 }
 
 }  // namespace rigsound::tool

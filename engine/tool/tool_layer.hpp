@@ -1,39 +1,80 @@
-// The ringing bar of one boom.
+// The ringing bar of one boom: blows in, the sound of the steel out (jackhammer paper, figure 1).
 #pragma once
 
 #include <array>
 #include <vector>
 
+#include "dsp/biquad.hpp"
 #include "rigsound/impact.hpp"
 #include "rigsound/limits.hpp"
 #include "rigsound/tool_model.hpp"
+#include "tool/bar_loops.hpp"
+#include "tool/contact.hpp"
+#include "tool/strikes.hpp"
 
 namespace rigsound::tool {
 
-/// The paper's bar: two delay loops, longitudinal and transversal, struck by Hann pulses
-/// (jackhammer paper, section 2).
+/// Live controls, neutral as they stand. A change of a gain or a factor is ramped.
+struct ToolControls {
+  double period = 2400;         ///< mean gap between blows, samples, > 0; bounces follow it
+  double amplitude = 1;         ///< of the blows, 0...10
+  double k_T = 1, k_L = 1;      ///< factors on the reflections, 0...1.2; none exceeds 0.9999
+  double mix_T = 1, mix_L = 1;  ///< factors on the weights of the families, 0...10
+  int rods = 1;                 ///< on the string; picks the steel
+};
+
 class ToolLayer {
  public:
-  ToolLayer(const ToolModel& model, double sample_rate);  ///< Thread: OFF
+  /// Designs the tool's steels for this rate. Throws std::invalid_argument, naming the key, when the model
+  /// makes no sense. Thread: OFF.
+  ToolLayer(const ToolModel& model, double sample_rate, std::uint64_t seed, int boom,
+            LaneWidth width = widest_lanes());
 
   /// The next kChunk samples, struck by `count` impacts. Thread: RT.
-  void process(const Impact* impacts, int count, double* out) noexcept;
+  void process(const Impact* impacts, int count, const ToolControls& controls, double* out) noexcept;
+
+  /// Another steel (a rod changed, a worn bit): both ring through a crossfade of 20 ms. Called during one,
+  /// it waits its turn; the last call wins. `design` must come from design_tool() at this layer's rate.
+  /// Thread: RT.
+  void change(const ToolDesign& design) noexcept;
 
  private:
-  struct Loop {
-    std::vector<double> delay;
-    std::size_t at = 0;
-    double reflection = 0, dc_in = 0, dc_out = 0;
-    std::array<double, 4> allpass{};
-    double process(double x) noexcept;
+  /// A steel with the hand that damps it.
+  struct Steel {
+    BarLoops loops;
+    Contact contact;
+    double k_L;
   };
 
-  Loop longitudinal_, transversal_;
-  double pulse_samples_;
-  std::array<double, kMaxImpacts> age_{};  ///< samples since each recent impact
-  std::array<double, kMaxImpacts> strength_{};
-  std::size_t next_ = 0;
-  double high_in_ = 0, high_out_ = 0, high_pole_;
+  /// A value that reaches its target in a straight line.
+  struct Ramp {
+    double value = 1, step = 1;  ///< most it moves in a sample
+    double next(double target) noexcept;
+  };
+
+  Steel steel_of(const ToolDesign& design) const noexcept;
+  void follow_rods(int rods) noexcept;
+  void begin_fade() noexcept;
+  void drive(const Excitation& excitation, const ToolControls& controls) noexcept;
+  void ring(Steel& steel, const Excitation& excitation, double* out) noexcept;
+  void crossfade(const Excitation& excitation, double* out) noexcept;
+
+  ToolModel model_;
+  double sample_rate_;
+  LaneWidth width_;
+  std::vector<ToolDesign> designs_;  ///< of model_.bar, then of model_.rods
+  std::size_t chosen_ = 0;           ///< the one the rods ask for
+  ToolDesign wanted_;                ///< what change() asked for
+  bool change_waits_ = false;
+
+  Strikes strikes_;
+  std::vector<Steel> steels_;  ///< two: the one that rings and the one it fades to
+  std::size_t ringing_ = 0;
+  double fade_ = 0, fade_step_;  ///< share of the crossfade done; 0: none under way
+  Ramp amplitude_, k_T_, k_L_, mix_T_, mix_L_;
+  double factor_T_[kChunk], factor_L_[kChunk];
+  BarDrive drive_;
+  std::vector<dsp::Biquad> equaliser_;
 };
 
 }  // namespace rigsound::tool

@@ -1,18 +1,91 @@
-// The steel that rings: geometry and the filters designed for it.
+// The steel that rings: its geometry, how it is struck, how it sounds.
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include "rigsound/tool_design.hpp"
 
 namespace rigsound {
 
-/// A free-free steel bar (jackhammer paper, section 2), struck at its end.
+constexpr double kSpeedOfSound = 5200;  ///< m/s, thin rod of steel (jackhammer paper, section 2)
+constexpr double kPoisson = 0.30;       ///< Poisson's ratio of steel
+
+/// A free-free round steel bar.
+struct Bar {
+  double length_m = 0.5;      ///< m, 0.3...1.0; the designer is measured there and tries 0.2...1.2
+  double diameter_m = 0.025;  ///< m, 0.015...0.050; tries 0.010...0.080, at most a quarter of the length
+};
+
+enum class ToolKind : std::uint8_t {
+  kDesigned,  ///< allpass sections designed so that the loop's poles are the bar's modes
+  kPaper,     ///< the paper's own structure: M identical first-order allpass sections, whole delays
+};
+
+/// Two wanted decay times (T60) at two frequencies of one family; time 0: none wanted.
+struct DecayWish {
+  double low_hz = 0, low_s = 0;
+  double high_hz = 0, high_s = 0;
+};
+
+/// Decay of one family: given outright, or through a wish that replaces k and the shelf's gain.
+struct Decay {
+  double k_min = 0.83;      ///< reflection while the tool is in contact, 0 < k_min <= k_max < 1
+  double k_max = 0.89;      ///< and while it is free
+  double shelf_gain = 0.8;  ///< of the loop's shelf above its corner, 0...1
+  double shelf_hz = 6000;   ///< its corner
+  DecayWish wish;           ///< of the free tool; k_min / k_max keeps its ratio
+};
+
+/// One strike (paper, section 3.3). Random shares are of the mean, drawn anew for every strike.
+struct Strike {
+  double width_s = 10 / 44100.0;            ///< Hann pulse, s; the paper's 7...11 samples are 181...272 us
+  double amplitude_variation = 0.2;         ///< +- share of the amplitude, 0...1
+  int bounces = 3;                          ///< 0...kMaxBounces, each after the one before
+  double gap_min = 0.05, gap_max = 0.10;    ///< share of the period between them
+  double ratio_min = 0.3, ratio_max = 0.7;  ///< amplitude against the one before
+  double fall_s = 0.002, rise_s = 0.010;    ///< k_T from k_max to k_min and back
+  double slope_variation = 0.3;             ///< +- share of both slopes, 0...0.9
+};
+
+/// One bell of the tool's equaliser, after the high-pass.
+struct ToolBand {
+  double frequency_hz = 1000, gain_db = 0, q = 1.4;
+};
+
+struct ToolVoicing {
+  double mix_T = 0.5, mix_L = 0.5;  ///< linear weights of the two families
+  double highpass_hz = 800;         ///< -6.02 dB point of the first-order high-pass (section 3)
+  std::vector<ToolBand> equaliser;  ///< at most kMaxToolBands
+  double level = 0.2;               ///< linear, of everything
+};
+
+/// Another steel that rings instead while this many rods are on the string.
+struct RodSteel {
+  int rods = 2;  ///< 1...20
+  Bar bar;
+};
+
+/// The paper's own loops, for ToolKind::kPaper.
+struct PaperLoops {
+  int M = 40;              ///< cascade length (eq. 5), 1...kMaxPaperSections
+  double lambda = -0.618;  ///< eq. 4, -1 < lambda < 0
+  int N_T = 50;            ///< transversal delay line, samples
+  int N_L = 8;             ///< longitudinal delay line, samples
+};
+
+/// Everything a tool file says. design_tool() checks it.
 struct ToolModel {
   std::string name;
-  double length_m = 0.5;     ///< m, 0.3...1.0
-  double diameter_m = 0.025; ///< m, 0.015...0.050
-  double k_L = 0.94;         ///< reflection of the longitudinal loop
-  double k_Tmin = 0.83;      ///< reflection of the transversal loop while the tool is in contact
-  double k_Tmax = 0.89;      ///< and while it is free
+  ToolKind kind = ToolKind::kDesigned;
+  Bar bar;
+  Decay transversal;
+  Decay longitudinal{0.94, 0.94, 0.8, 6000, {}};
+  Strike strike;
+  ToolVoicing voicing;
+  PaperLoops paper;
+  std::vector<RodSteel> rods;       ///< at most 20; other rod counts ring with `bar`
+  std::vector<ToolDesign> designs;  ///< made ahead of time, at most one a sample rate
 };
 
 }  // namespace rigsound

@@ -63,7 +63,7 @@ TEST_CASE("a sound set loads at the engine's rate, each bank once, its trims add
   index.banks.push_back({"b", Situation::kNormal, 2, "limestone", -4, 0});
   ToolModel tool;
   tool.name = "hex25";
-  tool.length_m = 0.45;
+  tool.bar.length_m = 0.45;
   config::save_tool(set.path, tool);
   BackgroundModel diesel = default_background();
   diesel.name = "diesel";
@@ -85,7 +85,7 @@ TEST_CASE("a sound set loads at the engine's rate, each bank once, its trims add
   CHECK(loaded.uses[5].rock == 1);
   CHECK(loaded.rocks == std::vector<std::string>{"granite", "limestone"});
   REQUIRE(loaded.tools.size() == 1);
-  CHECK(loaded.tools[0].length_m == 0.45);
+  CHECK(loaded.tools[0].bar.length_m == 0.45);
   REQUIRE(loaded.backgrounds.size() == 1);
   CHECK(loaded.backgrounds[0].name == "diesel");
 }

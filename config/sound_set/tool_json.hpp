@@ -1,0 +1,18 @@
+// tools/NAME.json as text and back.
+#pragma once
+
+#include <string>
+
+#include "json/json_file.hpp"
+#include "rigsound/tool_model.hpp"
+
+namespace rigsound::config {
+
+constexpr int kToolFormat = 2;  ///< of tools/NAME.json
+
+std::string tool_json(const ToolModel& tool);
+
+/// Keys left out keep their defaults; unknown keys, wrong types and senseless values are refused.
+ToolModel read_tool_json(const JsonFile& file);
+
+}  // namespace rigsound::config

@@ -1,0 +1,28 @@
+// The inner loop of the ringing bar, once per vector width. All widths compute the same bits: lanes never
+// mix, and what a lane does is written down in bar_state.hpp.
+#pragma once
+
+#include "tool/bar_state.hpp"
+
+namespace rigsound::tool {
+
+/// Lanes in one vector. kTwo is SSE2 or NEON, kFour AVX2.
+enum class LaneWidth : int { kTwo = 2, kFour = 4 };
+
+/// The widest this processor has. Thread: any.
+LaneWidth widest_lanes() noexcept;
+
+/// One chunk: drive.frames samples to `out`, mixed and high-passed. Thread: RT.
+using BarKernel = void (*)(BarState& state, const BarDrive& drive, double* out) noexcept;
+
+/// The kernel for that many vectors of each family; `vectors` must fit kLanes. Thread: RT.
+BarKernel section_kernel(const int (&vectors)[2], LaneWidth width) noexcept;
+
+/// The kernel for the paper's identical sections, in vectors[kTransversal] vectors. Thread: RT.
+BarKernel paper_kernel(LaneWidth width) noexcept;
+
+/// The paper's cascade when its delay line is shorter than the skew: one section after another, in the
+/// lanes from 0 up; vectors[kTransversal] counts sections.
+void run_paper_in_sequence(BarState& state, const BarDrive& drive, double* out) noexcept;
+
+}  // namespace rigsound::tool

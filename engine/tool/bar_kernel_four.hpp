@@ -1,0 +1,11 @@
+// The four-lane kernels, compiled for AVX2 in a file of their own. Call only when widest_lanes() is kFour.
+#pragma once
+
+#include "tool/bar_kernel.hpp"
+
+namespace rigsound::tool {
+
+BarKernel section_kernel_four(int vectors_T) noexcept;
+BarKernel paper_kernel_four() noexcept;
+
+}  // namespace rigsound::tool

@@ -1,0 +1,195 @@
+// One steel: its rendered sound against the bar's modes and the modal bank, its bits across lane widths, its
+// energy, its sleep.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "dsp/random.hpp"
+#include "engine/modal_measure.hpp"
+#include "rigsound/tool_model.hpp"
+#include "tool/bar_loops.hpp"
+#include "tool/mode_law.hpp"
+
+using namespace rigsound;
+using namespace rigsound::tool;
+using namespace rigsound::tests;
+
+namespace {
+
+const std::vector<Bar> kBars = {{0.30, 0.030}, {0.30, 0.050}, {0.50, 0.025}, {0.70, 0.030}};
+
+ToolModel model_of(const Bar& bar) {
+  ToolModel model;
+  model.bar = bar;
+  return model;
+}
+
+BarDrive drive_with(double k_T, double k_L) {
+  BarDrive drive{};
+  drive.frames = kChunk;
+  for (int n = 0; n < kChunk; ++n) {
+    drive.k[n][kTransversal] = k_T, drive.k[n][kLongitudinal] = k_L;
+    drive.mix[n][kTransversal] = drive.mix[n][kLongitudinal] = 0.5;
+  }
+  return drive;
+}
+
+/// y of one family after a unit impulse, read from the delay line.
+std::vector<double> impulse_response(const ToolDesign& design, Family family, double k, int samples,
+                                     LaneWidth width = widest_lanes()) {
+  BarLoops bar(design, 800, width);
+  BarDrive drive = drive_with(k, k);
+  std::vector<double> y;
+  double out[kChunk];
+  for (int n = 0; n < samples; n += kChunk) {
+    for (int i = 0; i < kChunk; ++i) drive.x[i] = n + i == 0;
+    bar.process(drive, out);
+    for (unsigned i = kChunk; i > 0; --i) y.push_back(bar.state().ring[(bar.state().at - i) % kRing][family]);
+  }
+  return y;
+}
+
+/// The loop as the design says it, one section after the other, no skew, no vectors.
+std::vector<double> sequential_response(const LoopDesign& loop, double k, int samples) {
+  SectionLanes lanes{};
+  int stages = 0;
+  for (; stages < loop.allpass.sections; ++stages)
+    set_section(lanes, stages, loop.allpass.section[static_cast<std::size_t>(stages)].b,
+                loop.allpass.section[static_cast<std::size_t>(stages)].c);
+  if (loop.allpass.first_orders) set_section(lanes, stages++, loop.allpass.a, 0);
+  const LoopFilters& f = loop.filters;
+  const double D = (loop.allpass.first_orders ? -1 : 1) / (1 + f.dc), R = (1 - f.dc) / (1 + f.dc);
+  const double s0 = (f.shelf + f.g) / (f.shelf + 1), s1 = (f.shelf - f.g) / (f.shelf + 1),
+               q = (1 - f.shelf) / (1 + f.shelf);
+  double dc = 0, shelf = 0;
+  std::vector<double> y;
+  for (int n = 0; n < samples; ++n) {
+    double v = n >= loop.N ? y[static_cast<std::size_t>(n - loop.N)] : 0;
+    for (int i = 0; i < stages; ++i) {
+      const double m = (lanes.g0[i] * lanes.x1[i] - lanes.g1[i] * lanes.x2[i]) + lanes.g2[i] * v;
+      v = v - lanes.h[i] * m;
+      lanes.x1[i] = m - lanes.x1[i];
+      lanes.x2[i] = lanes.x2[i] + lanes.e[i] * m;
+    }
+    const double dv = D * v, b = dv + dc;
+    dc = R * b - dv;
+    const double w = s0 * b + shelf;
+    shelf = s1 * b + q * w;
+    y.push_back((n == 0 ? 1.0 : 0.0) + k * w);
+  }
+  return y;
+}
+
+double cents(double a, double b) { return 1200 * std::log2(a / b); }
+
+}  // namespace
+
+TEST_CASE("modes measured in the rendered sound are the bar's, with the decay the design tells") {
+  for (const double rate : {44100.0, 48000.0, 96000.0})
+    for (const Bar& bar : kBars) {
+      const ToolModel model = model_of(bar);
+      const ToolDesign design = design_tool(model, rate);
+      const LoopDesign& loop = design.transversal;
+      const double k_ref = 0.5 * (loop.k_min + loop.k_max);
+      const int samples = static_cast<int>(0.05 * rate), every = static_cast<int>(rate / 40000);
+      const int order = loop.N + loop.allpass.order() + 2;
+      const auto tuned = measure_modes(impulse_response(design, kTransversal, k_ref, samples), order, every);
+      const auto free =
+          measure_modes(impulse_response(design, kTransversal, loop.k_max, samples), order, every);
+      const TransversalLaw law(bar);
+      for (const TunedMode& mode : tuned_modes(model, design)) {
+        if (mode.family != "transversal") continue;
+        CAPTURE(rate);
+        CAPTURE(bar.length_m);
+        CAPTURE(mode.mode);
+        const double wanted = 2 * M_PI * law.at(mode.mode) / rate;
+        CHECK(std::fabs(cents(nearest(tuned, wanted).omega, wanted)) <= 1.0);
+        CHECK(3 * std::log(10) / -nearest(free, wanted).sigma / rate ==
+              doctest::Approx(mode.t60_s).epsilon(0.01));
+      }
+    }
+}
+
+TEST_CASE("the loops ring like the sum of their decaying modes") {
+  for (const Bar& bar : kBars) {
+    const ToolDesign design = design_tool(model_of(bar), 48000);
+    const auto rendered = impulse_response(design, kTransversal, 0.89, 2048);
+    const auto bank = modal_bank(design.transversal, 0.89, 2048);
+    const auto rendered_L = impulse_response(design, kLongitudinal, 0.94, 2048);
+    const auto bank_L = modal_bank(design.longitudinal, 0.94, 2048);
+    double worst = 0;
+    for (std::size_t n = 0; n < rendered.size(); ++n)
+      worst = std::max({worst, std::fabs(rendered[n] - bank[n]), std::fabs(rendered_L[n] - bank_L[n])});
+    CHECK(worst < 1e-9);
+  }
+}
+
+TEST_CASE("skewed lanes give the bits of the sections one after another, at either width") {
+  for (const double rate : {44100.0, 96000.0})
+    for (const Bar& bar : {Bar{0.3, 0.05}, Bar{0.5, 0.025}, Bar{0.47, 0.018}, Bar{1.0, 0.015}}) {
+      const ToolDesign design = design_tool(model_of(bar), rate);
+      for (const Family family : {kTransversal, kLongitudinal}) {
+        const LoopDesign& loop = family == kTransversal ? design.transversal : design.longitudinal;
+        const auto reference = sequential_response(loop, 0.87, 4096);
+        CHECK(impulse_response(design, family, 0.87, 4096, LaneWidth::kTwo) == reference);
+        if (widest_lanes() == LaneWidth::kFour)
+          CHECK(impulse_response(design, family, 0.87, 4096, LaneWidth::kFour) == reference);
+      }
+    }
+}
+
+TEST_CASE("energy never grows, whatever k, b and c do from sample to sample") {
+  const ToolDesign design = design_tool(model_of({0.5, 0.025}), 48000);
+  const Allpass& allpass = design.transversal.allpass;
+  const dsp::RandomField random(7, 1);
+  for (const LaneWidth width : {LaneWidth::kTwo, widest_lanes()}) {
+    BarLoops bar(design, 800, width);
+    BarDrive drive = drive_with(1, 1);
+    drive.frames = 1;
+    double out[kChunk], before = 0, worst = -1;
+    for (std::uint64_t i = 0; i < 60000; ++i) {
+      const bool hit = bar.asleep();
+      drive.x[0] = hit;
+      // Three kinds of stretches: reflections of +-1, of anything between, and moving sections as well.
+      const std::uint64_t kind = i / 2000 % 3;
+      for (int f = 0; f < 2; ++f) {
+        const double u = 2 * random.uniform(i, 60 + static_cast<std::uint64_t>(f)) - 1;
+        drive.k[0][f] = kind == 1 ? u : u < 0 ? -1 : 1;
+      }
+      for (int s = 0; kind == 2 && s < allpass.sections; ++s) {
+        const auto [b, c] = allpass.section[static_cast<std::size_t>(s)];
+        const auto field = static_cast<std::uint64_t>(2 * s);
+        set_section(bar.state().sections, bar.state().last[kTransversal] + 1 - allpass.stages() + s,
+                    b * dsp::exp(2 * random.uniform(i, field) - 1),
+                    c * dsp::exp(4 * random.uniform(i, field + 1) - 2));
+      }
+      bar.process(drive, out);
+      const double after = energy(bar.state());
+      if (!hit) worst = std::max(worst, after / before - 1);
+      before = after;
+    }
+    CHECK(worst <= 1e-15);
+    MESSAGE("largest relative growth in one sample " << worst);
+  }
+}
+
+TEST_CASE("a bar that has died away sleeps with exact zeros and wakes like a new one") {
+  const ToolDesign design = design_tool(model_of({0.5, 0.025}), 48000);
+  BarLoops bar(design, 800, widest_lanes());
+  BarDrive strike = drive_with(0.89, 0.94);
+  strike.x[5] = 1;
+  const BarDrive rest = drive_with(0.89, 0.94);
+  double first[kChunk], out[kChunk], again[kChunk];
+  bar.process(strike, first);
+  int chunks = 0;
+  while (!bar.asleep() && chunks < 5000) bar.process(rest, out), ++chunks;
+  CHECK(chunks > 100);
+  CHECK(chunks < 1000);
+  bar.process(rest, out);
+  for (const double sample : out) CHECK(sample == 0);
+  CHECK(energy(bar.state()) == 0);
+  bar.process(strike, again);
+  for (int n = 0; n < kChunk; ++n) CHECK(again[n] == first[n]);
+}
