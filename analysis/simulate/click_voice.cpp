@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 
+#include "clicks/envelope.hpp"
 #include "dsp/elementary.hpp"
 #include "rigsound/analysis/chain.hpp"
 
@@ -102,16 +103,9 @@ std::vector<Mode> draw_modes(SplitMix& stream) {
   return modes;
 }
 
-std::vector<double> envelope_curve(const ClickEnvelope& envelope, int length) {
-  const double N_a = envelope.N_a, bend = envelope.alpha_a * N_a;
+std::vector<double> envelope_curve(const ClickEnvelope& shape, int length) {
   std::vector<double> a(static_cast<std::size_t>(length));
-  for (int i = 0; i < length; ++i) {
-    const double n = i;
-    if (n > N_a)
-      a[i] = std::exp(-(n - N_a) * envelope.alpha_d);
-    else
-      a[i] = std::fabs(bend) < 1e-6 ? n / N_a : std::expm1(-envelope.alpha_a * n) / std::expm1(-bend);
-  }
+  for (int n = 0; n < length; ++n) a[n] = envelope(shape, n);
   return a;
 }
 

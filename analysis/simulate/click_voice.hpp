@@ -37,7 +37,7 @@ BiquadCascade draw_colour(SplitMix& stream);
 std::vector<Mode> draw_modes(SplitMix& stream);
 
 /// The envelope of eq. 5 and 6 of the drilling paper, `length` samples.
-std::vector<double> envelope_curve(const ClickEnvelope& envelope, int length);
+std::vector<double> envelope_curve(const ClickEnvelope& shape, int length);
 
 /// Sum of all clicks, coloured, `frames` samples. Click i starts at `onsets[i]`; its waveform depends only on
 /// i, so the same clicks can be played at another rate.

@@ -1,0 +1,114 @@
+#include "analyzer/finished_bank.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "rigsound/config/bank_files.hpp"
+#include "rigsound/file/atomic_file.hpp"
+#include "rigsound/input_error.hpp"
+
+namespace rigsound::analysis {
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Raised whenever the chain or the bank builder changes what it computes: older banks are then analysed anew.
+constexpr int kAnalysisRevision = 1;
+
+struct Figure {
+  const char* key;
+  double BankFigures::*value;
+};
+constexpr Figure kFigures[] = {
+    {"rate_hz", &BankFigures::rate_hz},
+    {"level_db", &BankFigures::level_db},
+    {"snr_db", &BankFigures::snr_db},
+    {"decay_s", &BankFigures::decay_s},
+    {"longest_click_s", &BankFigures::longest_click_s},
+    {"ltas_error_db", &BankFigures::ltas_error_db},
+    {"modulation_error_db", &BankFigures::modulation_error_db},
+};
+
+fs::path bank_folder(const fs::path& sound_set, const std::string& bank) {
+  return sound_set / "banks" / bank;
+}
+
+fs::path figures_path(const fs::path& sound_set, const std::string& bank) {
+  return bank_folder(sound_set, bank) / "figures.json";
+}
+
+std::string figures_text(const BankFigures& figures) {
+  Json json;
+  json["clicks_found"] = figures.clicks_found;
+  json["segments"] = figures.segments;
+  json["segments_drilling"] = figures.segments_drilling;
+  for (const Figure& f : kFigures) json[f.key] = figures.*f.value;  // infinity becomes null
+  return json.dump(2) + "\n";
+}
+
+BankFigures read_figures(const fs::path& path) {
+  std::ifstream in(path);
+  const Json json = Json::parse(in);
+  BankFigures figures;
+  figures.clicks_found = json.at("clicks_found");
+  figures.segments = json.at("segments");
+  figures.segments_drilling = json.at("segments_drilling");
+  for (const Figure& f : kFigures)
+    figures.*f.value =
+        json.at(f.key).is_null() ? std::numeric_limits<double>::infinity() : json.at(f.key).get<double>();
+  return figures;
+}
+
+}  // namespace
+
+fs::path report_section_path(const fs::path& sound_set, const std::string& bank) {
+  return bank_folder(sound_set, bank) / "report.html";
+}
+
+std::string settings_of(const Part& part, const AnalyzerOptions& options) {
+  std::string text = fmt::format("revision={} method={} denoise={} clicks={}", kAnalysisRevision,
+                                 options.method == Method::kPaper ? "paper" : "click-nmf",
+                                 options.denoise ? "yes" : "no", options.clicks);
+  if (!part.whole) text += fmt::format(" start_s={:.6f} end_s={:.6f}", part.label.start_s, part.label.end_s);
+  return text;
+}
+
+std::optional<AnalysedPart> finished_part(const Part& part, const std::string& sha256,
+                                          const AnalyzerOptions& options) {
+  const fs::path folder = bank_folder(options.sound_set, part.bank);
+  const fs::path section = report_section_path(options.sound_set, part.bank);
+  std::error_code none;
+  if (!fs::exists(figures_path(options.sound_set, part.bank), none)) return std::nullopt;
+  if (options.report == ReportSections::kWrite && !fs::exists(section, none)) return std::nullopt;
+  try {
+    const config::StoredBank stored = config::load_bank(folder);
+    if (stored.provenance.source_sha256 != sha256 || stored.provenance.settings != settings_of(part, options))
+      return std::nullopt;
+    AnalysedPart finished{part, true, stored.bank.T_0, static_cast<int>(stored.bank.clicks.size()), {}, {}};
+    finished.figures = read_figures(figures_path(options.sound_set, part.bank));
+    return finished;
+  } catch (const InputError&) {
+    return std::nullopt;  // damaged: made anew
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+void save_part(const AnalysedPart& analysed, const ClickBank& bank, const std::string& sha256,
+               const std::string& report_section, const AnalyzerOptions& options) {
+  config::Provenance provenance;
+  provenance.source_file = analysed.part.recording.string();
+  provenance.source_sha256 = sha256;
+  provenance.settings = settings_of(analysed.part, options);
+  provenance.tool_version = options.tool_version;
+  config::save_bank(options.sound_set, bank, provenance);
+  if (!report_section.empty()) write_file(report_section_path(options.sound_set, bank.name), report_section);
+  write_file(figures_path(options.sound_set, bank.name), figures_text(analysed.figures));
+}
+
+}  // namespace rigsound::analysis

@@ -1,0 +1,27 @@
+// What makes a run restartable: a bank that is there already, from the same sound and settings.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "rigsound/analysis/analyzer.hpp"
+
+namespace rigsound::analysis {
+
+/// Everything but the sound that shaped the bank, as `key=value` words.
+std::string settings_of(const Part& part, const AnalyzerOptions& options);
+
+/// The part as an earlier run left it, when its bank is whole and was made from the same bytes with the same
+/// settings. Thread: OFF.
+std::optional<AnalysedPart> finished_part(const Part& part, const std::string& sha256,
+                                          const AnalyzerOptions& options);
+
+/// Writes the bank, its figures and, unless empty, its section of the report; figures come last and mark it
+/// as finished. Errors: DeviceError. Thread: OFF.
+void save_part(const AnalysedPart& analysed, const ClickBank& bank, const std::string& sha256,
+               const std::string& report_section, const AnalyzerOptions& options);
+
+/// banks/NAME/report.html
+std::filesystem::path report_section_path(const std::filesystem::path& sound_set, const std::string& bank);
+
+}  // namespace rigsound::analysis

@@ -1,0 +1,102 @@
+#include "rigsound/analysis/labels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "rigsound/input_error.hpp"
+
+namespace rigsound::analysis {
+namespace {
+
+constexpr std::string_view kGrammar = "expected start<TAB>end<TAB>situation [rods=N] [rock=NAME] [rpm=R]";
+constexpr std::string_view kSituations =
+    "expected normal, underfeed, overfeed, closed_rattling or open_rattling";
+
+/// Where in which file a value was read: every complaint names it.
+struct Place {
+  std::string file;
+  int line;
+  [[noreturn]] void complain(std::string_view key, std::string_view what) const {
+    throw InputError(file, line, key, what);
+  }
+};
+
+double number(const Place& place, std::string_view key, std::string_view text, double low, double high) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !(value >= low && value <= high))
+    place.complain(key, fmt::format("'{}' is wrong, expected a number from {} to {}", text, low, high));
+  return value;
+}
+
+void set_key(const Place& place, const std::string& word, Label& label) {
+  const std::size_t equals = word.find('=');
+  const std::string key = word.substr(0, equals),
+                    value = equals == std::string::npos ? "" : word.substr(equals + 1);
+  if (key == "rods") {
+    const double rods = number(place, key, value, 1, 20);
+    if (rods != std::floor(rods))
+      place.complain(key, fmt::format("'{}' is wrong, expected a whole number from 1 to 20", value));
+    label.rods = static_cast<int>(rods);
+  } else if (key == "rpm") {
+    label.rpm = number(place, key, value, 1, 4000);
+  } else if (key == "rock") {
+    const auto odd = [](unsigned char c) { return !std::isalnum(c) && c != '_' && c != '-' && c != '.'; };
+    if (value.empty() || value[0] == '.' || std::any_of(value.begin(), value.end(), odd))
+      place.complain(key, fmt::format("'{}' is no name, expected letters, digits, '_', '-' or '.'", value));
+    label.rock = value;
+  } else {
+    place.complain(key, "unknown key, expected rods, rock or rpm");
+  }
+}
+
+void set_text(const Place& place, const std::string& text, Label& label) {
+  std::istringstream words(text);
+  std::string word;
+  if (!(words >> word)) place.complain("situation", fmt::format("is missing, {}", kSituations));
+  const auto situation = situation_by_name(word);
+  if (!situation) place.complain("situation", fmt::format("'{}' is none, {}", word, kSituations));
+  label.situation = *situation;
+  while (words >> word) set_key(place, word, label);
+}
+
+Label parse(const Place& place, const std::string& text) {
+  constexpr double kLongest_s = 1e6;
+  const std::size_t first = text.find('\t');
+  const std::size_t second = first == std::string::npos ? first : text.find('\t', first + 1);
+  if (second == std::string::npos) place.complain("label", fmt::format("has no two tabs, {}", kGrammar));
+  Label label;
+  label.line = place.line;
+  label.start_s = number(place, "start", std::string_view(text).substr(0, first), 0, kLongest_s);
+  label.end_s =
+      number(place, "end", std::string_view(text).substr(first + 1, second - first - 1), 0, kLongest_s);
+  if (!(label.end_s > label.start_s))
+    place.complain("end", fmt::format("{} s is not after the start at {} s, expected a stretch of time",
+                                      label.end_s, label.start_s));
+  set_text(place, text.substr(second + 1), label);
+  return label;
+}
+
+}  // namespace
+
+std::vector<Label> read_labels(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  if (!in) throw InputError(path.string(), "cannot be read, expected an Audacity label file");
+  std::vector<Label> labels;
+  std::string text;
+  for (Place place{path.string(), 1}; std::getline(in, text); ++place.line) {
+    if (!text.empty() && text.back() == '\r') text.pop_back();
+    if (text.find_first_not_of(" \t") == std::string::npos || text[0] == '\\') continue;
+    labels.push_back(parse(place, text));
+  }
+  if (labels.empty()) throw InputError(path.string(), fmt::format("holds no labels, {}", kGrammar));
+  return labels;
+}
+
+}  // namespace rigsound::analysis

@@ -1,0 +1,21 @@
+// From files, folders and labels to the list of parts.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rigsound/analysis/analyzer.hpp"
+
+namespace rigsound::analysis {
+
+struct PartList {
+  std::vector<Part> parts;            ///< sorted by recording as given, then by label
+  std::vector<std::string> failures;  ///< recordings whose labels cannot be used
+};
+
+/// Bank names are STEM for a whole recording and STEM_STARTms for a labelled part, so that adding labels does
+/// not rename banks; recordings that share a stem get the name of their folder in front. Errors: InputError
+/// when there is no recording at all, or `labels` goes with several. Thread: OFF.
+PartList list_parts(const AnalyzerOptions& options);
+
+}  // namespace rigsound::analysis

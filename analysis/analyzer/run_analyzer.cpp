@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+
+#include "analyzer/finished_bank.hpp"
+#include "analyzer/part_analysis.hpp"
+#include "analyzer/part_list.hpp"
+#include "analyzer/sound_set_lock.hpp"
+#include "analyzer/source.hpp"
+#include "bank/lint.hpp"
+#include "report/report_section.hpp"
+#include "rigsound/analysis/analyzer.hpp"
+#include "rigsound/analysis/parallel.hpp"
+#include "rigsound/config/sound_set_index.hpp"
+#include "rigsound/device_error.hpp"
+#include "rigsound/input_error.hpp"
+
+namespace rigsound::analysis {
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Task {
+  Part part;
+  std::shared_ptr<Source> source;
+  std::optional<AnalysedPart> done;
+  std::string failure;
+};
+
+std::vector<Task> tasks_of(const std::vector<Part>& parts, const AnalyzerOptions& options) {
+  std::vector<Part> ours;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (static_cast<int>(i + 1) % options.shards == options.shard % options.shards) ours.push_back(parts[i]);
+  std::map<fs::path, int> count;
+  for (const Part& part : ours) ++count[part.recording];
+  std::map<fs::path, std::shared_ptr<Source>> sources;
+  for (const auto& [path, parts_of_it] : count) sources[path] = std::make_shared<Source>(path, parts_of_it);
+  std::vector<Task> tasks;
+  for (const Part& part : ours) tasks.push_back({part, sources[part.recording], std::nullopt, {}});
+  return tasks;
+}
+
+AnalysedPart analyse(const Task& task, const std::string& sha256, const AnalyzerOptions& options) {
+  const PartAnalysis analysis = analyse_part(task.part, *task.source->recording(), options);
+  const ClickBank& bank = analysis.built.bank;
+  AnalysedPart analysed{
+      task.part, false, bank.T_0, static_cast<int>(bank.clicks.size()), analysis.built.figures, {}};
+  const std::string section =
+      options.report == ReportSections::kWrite ? report_section(task.part, analysis) : std::string();
+  save_part(analysed, bank, sha256, section, options);
+  return analysed;
+}
+
+void run_task(Task& task, const AnalyzerOptions& options) {
+  try {
+    const std::string sha256 = task.source->sha256();
+    task.done = finished_part(task.part, sha256, options);
+    if (!task.done) task.done = analyse(task, sha256, options);
+    task.done->warnings = lint_bank(*task.done, options.clicks);
+  } catch (const DeviceError&) {
+    throw;
+  } catch (const InputError& error) {
+    task.failure = error.what();
+  } catch (const std::exception& error) {
+    task.failure = task.part.recording.string() + ": cannot be analysed: " + error.what();
+  }
+  task.source->finish_part();
+}
+
+/// Counts analysed parts and tells the caller, one thread at a time.
+class ProgressCount {
+ public:
+  ProgressCount(const AnalyzerProgress& tell, int total) : tell_(tell), total_(total) {}
+  void add(const Task& task) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    task.done&& task.done->kept ? --total_ : ++analysed_;
+    if (tell_) tell_(analysed_, total_);
+  }
+
+ private:
+  const AnalyzerProgress& tell_;
+  std::mutex mutex_;
+  int analysed_ = 0, total_;
+};
+
+void merge(const std::vector<AnalysedPart>& banks, const fs::path& sound_set) {
+  config::SoundSetIndex additions;
+  for (const AnalysedPart& b : banks) {
+    const Label& label = b.part.label;
+    config::BankEntry entry;
+    entry.name = b.part.bank, entry.situation = label.situation, entry.rods = label.rods,
+    entry.rock = label.rock;
+    additions.banks.push_back(entry);
+    if (!label.rock.empty() &&
+        std::find(additions.rocks.begin(), additions.rocks.end(), label.rock) == additions.rocks.end())
+      additions.rocks.push_back(label.rock);
+  }
+  FolderLock lock(sound_set, ".index.lock");
+  lock.wait_exclusive();
+  config::merge_index(sound_set, additions);
+}
+
+}  // namespace
+
+AnalyzerResult run_analyzer(const AnalyzerOptions& options, const AnalyzerProgress& progress) {
+  PartList list = list_parts(options);
+  std::error_code error;
+  fs::create_directories(options.sound_set, error);
+  if (error) throw DeviceError(options.sound_set.string() + ": cannot be made: " + error.message());
+  const RunLock running(options.sound_set);
+
+  std::vector<Task> tasks = tasks_of(list.parts, options);
+  ProgressCount count(progress, static_cast<int>(tasks.size()));
+  for_each_index(static_cast<int>(tasks.size()), options.jobs, [&](int i) {
+    run_task(tasks[i], options);
+    count.add(tasks[i]);
+  });
+
+  AnalyzerResult result;
+  result.failures = std::move(list.failures);
+  std::set<std::string> said(result.failures.begin(), result.failures.end());
+  for (Task& task : tasks) {
+    if (task.done)
+      result.banks.push_back(std::move(*task.done));
+    else if (said.insert(task.failure).second)
+      result.failures.push_back(task.failure);
+  }
+  lint_series(result.banks);
+  if (!result.banks.empty()) merge(result.banks, options.sound_set);
+  return result;
+}
+
+}  // namespace rigsound::analysis

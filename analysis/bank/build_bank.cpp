@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <cmath>
+
+#include "bank/candidates.hpp"
+#include "bank/click_choice.hpp"
+#include "bank/click_masks.hpp"
+#include "bank/equaliser.hpp"
+#include "bank/paper_extraction.hpp"
+#include "bank/recorded_levels.hpp"
+#include "bank/statistics.hpp"
+#include "rigsound/analysis/bank_builder.hpp"
+#include "rigsound/analysis/resynth.hpp"
+#include "rigsound/input_error.hpp"
+
+namespace rigsound::analysis {
+namespace {
+
+constexpr std::size_t kFade = 256;  // samples at the end of a click
+constexpr double kLtasRangeDb = 50, kModulationRangeDb = 35;
+constexpr double kProofSeconds = 4;
+constexpr std::uint64_t kProofSeed = 11;  // not one the equaliser listened to
+
+Segments with_drilling(const Segments& segments) {
+  Segments drilling;
+  for (const ChainResult& s : segments)
+    if (s.drilling_found && static_cast<int>(s.clicks.P.size()) >= kFewestClicks) drilling.push_back(s);
+  return drilling;
+}
+
+std::vector<std::vector<float>> extract_masked(const Segments& segments,
+                                               const std::vector<ClickCandidate>& candidates,
+                                               const std::vector<std::size_t>& chosen) {
+  std::vector<std::vector<float>> clicks(chosen.size());
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    const ClickMasks masks(segments[s].clicks, static_cast<long>(segments[s].drilling.size()));
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+      if (candidates[chosen[k]].segment == s)
+        clicks[k] = masks.extract(segments[s].drilling, candidates[chosen[k]].click);
+  }
+  return clicks;
+}
+
+/// Fades the end out and sets the L2 norm to one.
+void finish(std::vector<float>& click) {
+  const std::size_t fade = std::min(kFade, click.size() / 4);
+  for (std::size_t n = 0; n < fade; ++n)
+    click[click.size() - 1 - n] *= static_cast<float>(n) / static_cast<float>(fade);
+  double energy = 0;
+  for (const float v : click) energy += static_cast<double>(v) * v;
+  for (float& v : click) v = static_cast<float>(v / std::sqrt(energy));
+}
+
+/// The mean envelope of the segments, each weighed by its clicks.
+void set_envelope(const Segments& segments, ClickBank& bank) {
+  double weight = 0, bend = 0;
+  for (const ChainResult& s : segments) {
+    const auto w = static_cast<double>(s.clicks.P.size());
+    const ClickEnvelope& e = s.clicks.envelope;
+    weight += w;
+    bank.N_a += w * e.N_a, bank.alpha_d += w * e.alpha_d, bend += w * e.alpha_a * e.N_a;
+  }
+  bank.N_a /= weight;
+  bank.alpha_d /= weight;
+  bank.alpha_a = bend / weight / std::max(bank.N_a, 1.0);
+}
+
+Series<double> norms_of(const Segments& segments, const std::vector<ClickCandidate>& candidates) {
+  Series<double> norms(segments.size());
+  for (const ClickCandidate& c : candidates) norms[c.segment].push_back(c.norm);
+  return norms;
+}
+
+const ChainResult& longest(const Segments& segments) {
+  return *std::max_element(segments.begin(), segments.end(), [](const ChainResult& a, const ChainResult& b) {
+    return a.drilling.size() < b.drilling.size();
+  });
+}
+
+BankFigures figures_of(const Segments& segments, const ClickBank& bank, const BandLevels& target) {
+  BankFigures f;
+  f.segments_drilling = static_cast<int>(segments.size());
+  double energy = 0, frames = 0;
+  for (const ChainResult& s : segments) {
+    f.clicks_found += static_cast<int>(s.clicks.P.size());
+    for (const float v : s.drilling) energy += static_cast<double>(v) * v;
+    frames += static_cast<double>(s.drilling.size());
+  }
+  f.rate_hz = bank.sample_rate / bank.T_0;
+  f.level_db = 10 * std::log10(energy / frames);
+  f.snr_db = signal_to_noise_db(segments);
+  f.decay_s = (bank.N_a + std::log(1000.0) / bank.alpha_d) / bank.sample_rate;
+  for (const auto& click : bank.clicks)
+    f.longest_click_s = std::max(f.longest_click_s, static_cast<double>(click.size()) / bank.sample_rate);
+  const std::vector<float> proof = resynthesise(bank, kProofSeconds, kProofSeed).sound;
+  f.ltas_error_db =
+      mean_difference_db(target, third_octave_levels(proof), kLtasRangeDb, Difference::kCentred);
+  f.modulation_error_db =
+      mean_difference_db(modulation_levels(longest(segments).drilling), modulation_levels(proof),
+                         kModulationRangeDb, Difference::kAbsolute);
+  return f;
+}
+
+}  // namespace
+
+BuiltBank build_bank(const std::vector<ChainResult>& all, Method method, int count, const std::string& part) {
+  const Segments segments = with_drilling(all);
+  const std::vector<ClickCandidate> candidates = click_candidates(segments);
+  if (candidates.size() < 2)
+    throw InputError(part,
+                     "too few clicks to learn from, expected at least " + std::to_string(kFewestClicks));
+
+  BuiltBank built;
+  ClickBank& bank = built.bank;
+  bank.sample_rate = kAnalysisRate;
+  set_envelope(segments, bank);
+  set_amplitude_statistics(norms_of(segments, candidates), bank);
+  Series<int> onsets;
+  for (const ChainResult& s : segments) onsets.push_back(s.clicks.P);
+
+  const auto wanted = static_cast<std::size_t>(count);
+  const BandLevels target =
+      recorded_levels(segments, method == Method::kPaper ? Levels::kDenoisedOnly : Levels::kGivenBack);
+  if (method == Method::kPaper) {
+    set_plain_gap_statistics(onsets, bank);
+    bank.r_B = 0;
+    bank.clicks = extract_whitened(segments, candidates, choose_by_room(candidates, wanted));
+    for (auto& click : bank.clicks) finish(click);
+  } else {
+    set_gap_statistics(onsets, bank);
+    bank.clicks = extract_masked(segments, candidates, choose_by_cover(candidates, wanted));
+    for (auto& click : bank.clicks) finish(click);
+    equalise(bank, target);
+    set_level(bank, drilling_power(segments) * power(target) /
+                        power(recorded_levels(segments, Levels::kDenoisedOnly)));
+  }
+  built.figures = figures_of(segments, bank, target);
+  built.figures.segments = static_cast<int>(all.size());
+  return built;
+}
+
+}  // namespace rigsound::analysis

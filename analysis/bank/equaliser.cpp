@@ -1,0 +1,132 @@
+#include "bank/equaliser.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <unsupported/Eigen/FFT>
+
+#include "bank/minimum_phase.hpp"
+#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/resynth.hpp"
+
+namespace rigsound::analysis {
+namespace {
+
+constexpr int kTaps = 1023;
+constexpr int kTail = 256;  // samples of ringing kept behind a click
+constexpr int kPasses = 1;  // the second takes away what overlap and the limits left of the first
+constexpr double kMaxDb = 12;
+constexpr int kSyntheses = 16;
+constexpr double kSynthesisSeconds = 4, kSettleSeconds = 0.5;  // before, fewer clicks ring than later on
+
+using Clicks = std::vector<std::vector<float>>;
+
+std::vector<Resynthesis> test_syntheses(const ClickBank& bank) {
+  std::vector<Resynthesis> tests;
+  for (std::uint64_t seed = 1; seed <= kSyntheses; ++seed)
+    tests.push_back(resynthesise(bank, kSynthesisSeconds, seed));
+  return tests;
+}
+
+BandLevels synthesised_levels(const ClickBank& bank) {
+  BandLevels mean;
+  for (Resynthesis& test : test_syntheses(bank)) {
+    test.sound.erase(test.sound.begin(),
+                     test.sound.begin() + static_cast<long>(kSettleSeconds * bank.sample_rate));
+    const BandLevels here = third_octave_levels(test.sound);
+    mean.centre_hz = here.centre_hz;
+    mean.level_db.resize(here.level_db.size(), 0.0);
+    for (std::size_t b = 0; b < here.level_db.size(); ++b)
+      mean.level_db[b] += std::pow(10, here.level_db[b] / 10) / kSyntheses;
+  }
+  for (double& level : mean.level_db) level = 10 * std::log10(level);
+  return mean;
+}
+
+/// Straight lines in dB over log frequency, constant outside.
+double interpolated(const std::vector<double>& centre_hz, const std::vector<double>& db, double f) {
+  if (f <= centre_hz.front()) return db.front();
+  if (f >= centre_hz.back()) return db.back();
+  const auto above = std::upper_bound(centre_hz.begin(), centre_hz.end(), f) - centre_hz.begin();
+  const double share = std::log(f / centre_hz[above - 1]) / std::log(centre_hz[above] / centre_hz[above - 1]);
+  return db[above - 1] + share * (db[above] - db[above - 1]);
+}
+
+std::vector<float> filtered(const std::vector<float>& click, const Eigen::ArrayXd& fir) {
+  const auto size = static_cast<long>(click.size());
+  long n = 1024;
+  while (n < size + fir.size()) n *= 2;
+  Eigen::FFT<double> fft;
+  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+  Eigen::VectorXd a = Eigen::VectorXd::Zero(n), b = a, y;
+  a.head(size) = Eigen::Map<const Eigen::VectorXf>(click.data(), size).cast<double>();
+  b.head(fir.size()) = fir;
+  Eigen::VectorXcd A, B;
+  fft.fwd(A, a);
+  fft.fwd(B, b);
+  A.array() *= B.array();
+  fft.inv(y, A, n);
+  std::vector<float> out(static_cast<std::size_t>(size + kTail));
+  for (long i = 0; i < size + kTail; ++i) {
+    const double fade = std::min(1.0, static_cast<double>(size + kTail - i) / kTail);
+    out[static_cast<std::size_t>(i)] = static_cast<float>(fade * y(i));
+  }
+  return out;
+}
+
+/// Unit norm again; B takes over the gain the filter had on the mean click.
+void renormalise(ClickBank& bank) {
+  double power = 0;
+  for (std::vector<float>& click : bank.clicks) {
+    double energy = 0;
+    for (const float v : click) energy += static_cast<double>(v) * v;
+    for (float& v : click) v = static_cast<float>(v / std::sqrt(energy));
+    power += energy / static_cast<double>(bank.clicks.size());
+  }
+  bank.B *= std::sqrt(power);
+  bank.sigma_B *= std::sqrt(power);
+}
+
+/// Energy of a synthesis over the energies of its clicks: not 1 where overlapping clicks resemble each other.
+double coherence(const ClickBank& bank) {
+  double sound = 0, clicks = 0;
+  for (const Resynthesis& test : test_syntheses(bank)) {
+    for (const float v : test.sound) sound += static_cast<double>(v) * v;
+    for (const ResynthImpact& blow : test.impacts)
+      clicks += bank.B * blow.amplitude * bank.B * blow.amplitude;
+  }
+  return sound / clicks;
+}
+
+/// Samples from one click to the next, missed and double strikes counted in.
+double mean_gap(const ClickBank& bank) {
+  constexpr double kMissed = 1, kDouble = -0.55;  // what they add to a gap, periods (granular.md, step 9)
+  return bank.T_0 * (1 + kMissed * bank.p_miss + kDouble * bank.p_double);
+}
+
+}  // namespace
+
+void equalise(ClickBank& bank, const BandLevels& target) {
+  const Clicks extracted = bank.clicks;
+  const double B = bank.B, sigma_B = bank.sigma_B;
+  std::vector<double> gains_db(target.level_db.size(), 0.0);
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const BandLevels now = synthesised_levels(bank);
+    for (std::size_t b = 0; b < gains_db.size(); ++b)
+      gains_db[b] = std::clamp(gains_db[b] + target.level_db[b] - now.level_db[b], -kMaxDb, kMaxDb);
+    const Eigen::ArrayXd fir =
+        minimum_phase_fir([&](double f) { return interpolated(target.centre_hz, gains_db, f); }, kTaps);
+    bank.B = B, bank.sigma_B = sigma_B;
+    for (std::size_t i = 0; i < extracted.size(); ++i) bank.clicks[i] = filtered(extracted[i], fir);
+    renormalise(bank);
+  }
+}
+
+void set_level(ClickBank& bank, double power) {
+  const double spread = bank.sigma_B / bank.B;
+  const double B = std::sqrt(power * mean_gap(bank) / (coherence(bank) * (1 + spread * spread)));
+  bank.sigma_B *= B / bank.B;
+  bank.B = B;
+}
+
+}  // namespace rigsound::analysis

@@ -1,0 +1,17 @@
+// Step 8: the bank filtered so that what it plays has the spectrum and level of the recording.
+#pragma once
+
+#include "bank/third_octave.hpp"
+#include "rigsound/click_bank.hpp"
+
+namespace rigsound::analysis {
+
+/// Filters all clicks of `bank` by one minimum-phase FIR (1023 taps, within 12 dB) that takes the mean
+/// third-octave levels of test syntheses by the engine to `target`. B and sigma_B take over the gain. Thread:
+/// OFF.
+void equalise(ClickBank& bank, const BandLevels& target);
+
+/// Sets B, with sigma_B in proportion, so that endless synthesis has the mean square `power`. Thread: OFF.
+void set_level(ClickBank& bank, double power);
+
+}  // namespace rigsound::analysis

@@ -1,0 +1,28 @@
+// Long-time average spectrum in third-octave bands, and the modulation spectrum of the envelope.
+#pragma once
+
+#include <vector>
+
+namespace rigsound::analysis {
+
+struct BandLevels {
+  std::vector<double> centre_hz;
+  std::vector<double> level_db;
+};
+
+/// 62.5 Hz...16 kHz at 48 kHz; Hann frames of 8192, half overlapping; dB re full-scale square. Thread: OFF.
+BandLevels third_octave_levels(const std::vector<float>& x);
+
+/// Envelope (RMS of 1 ms, over its mean) in third-octave bands of modulation frequency, 1...256 Hz, dB.
+/// Thread: OFF.
+BandLevels modulation_levels(const std::vector<float>& x);
+
+/// Sum of the bands' powers. Thread: OFF.
+double power(const BandLevels& levels);
+
+/// Mean |a - b| in dB over the bands within `range_db` of the loudest of `a`; `centred` levels first lose
+/// their mean difference there. Thread: OFF.
+enum class Difference { kAbsolute, kCentred };
+double mean_difference_db(const BandLevels& a, const BandLevels& b, double range_db, Difference difference);
+
+}  // namespace rigsound::analysis

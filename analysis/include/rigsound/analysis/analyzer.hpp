@@ -1,0 +1,62 @@
+// Section 4.2 of the drilling paper: all labelled parts of all recordings, one bank each, without anybody
+// watching.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "rigsound/analysis/bank_builder.hpp"
+#include "rigsound/analysis/labels.hpp"
+
+namespace rigsound::analysis {
+
+enum class ReportSections { kSkip, kWrite };
+
+struct AnalyzerOptions {
+  std::vector<std::filesystem::path> inputs;  ///< recordings, and folders of them (not the folders inside)
+  std::filesystem::path sound_set;            ///< folder the banks go to
+  std::filesystem::path labels;               ///< of the one input; empty: STEM.txt beside each recording
+  Situation situation = Situation::kNormal;   ///< of recordings without labels, taken whole
+  Method method = Method::kClickNmf;
+  bool denoise = true;        ///< false: recordings are taken as clean
+  int clicks = 10;            ///< in a bank, at most
+  int jobs = 1;               ///< parts analysed at the same time
+  int shard = 1, shards = 1;  ///< this run does every shards-th part
+  ReportSections report = ReportSections::kSkip;
+  std::string tool_version;
+};
+
+/// A stretch of one recording that becomes one bank.
+struct Part {
+  std::filesystem::path recording;
+  std::string bank;    ///< name of its bank
+  bool whole = false;  ///< no label: from start to end
+  Label label;
+};
+
+struct AnalysedPart {
+  Part part;
+  bool kept = false;  ///< was there already, from the same sound and settings
+  double T_0 = 0;     ///< samples at 48 kHz
+  int clicks = 0;     ///< in the bank
+  BankFigures figures;
+  std::vector<std::string> warnings;
+};
+
+struct AnalyzerResult {
+  std::vector<AnalysedPart> banks;    ///< in the order of inputs and labels, whatever the number of jobs
+  std::vector<std::string> failures;  ///< one line each: what gave no bank, and why
+};
+
+/// Called from one thread at a time. Parts that were kept count neither as analysed nor in the total.
+using AnalyzerProgress = std::function<void(int analysed, int total)>;
+
+/// Analyses every part that has no finished bank with the same settings and source hash yet, and adds missing
+/// entries to soundset.toml. A bank is on disk whole or not at all; several shards may write to one sound set
+/// at once. Errors: InputError when there is nothing to analyse; DeviceError for the disk. A part that cannot
+/// be analysed is no error but a line of `failures`. Thread: OFF; starts `jobs` threads and joins them.
+AnalyzerResult run_analyzer(const AnalyzerOptions& options, const AnalyzerProgress& progress);
+
+}  // namespace rigsound::analysis

@@ -1,0 +1,38 @@
+// From the clicks of a recording to a bank the engine can play.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rigsound/analysis/chain.hpp"
+#include "rigsound/click_bank.hpp"
+
+namespace rigsound::analysis {
+
+/// What people and the lint want to know about a bank.
+struct BankFigures {
+  int clicks_found = 0;
+  int segments = 0, segments_drilling = 0;
+  double rate_hz = 0;
+  double level_db = 0;  ///< of the drilling, dB re full scale
+  double snr_db = 0;    ///< drilling against background; +infinity when taken as clean
+  double decay_s = 0;   ///< time in which the envelope falls by 60 dB
+  double longest_click_s = 0;
+  double ltas_error_db = 0;  ///< third-octave levels, resynthesised against recorded
+  double modulation_error_db = 0;
+};
+
+struct BuiltBank {
+  ClickBank bank;
+  BankFigures figures;
+};
+
+constexpr int kFewestClicks = 6;  ///< less is no drilling (granular.md, step 4)
+
+/// Steps 7 and 8 of granular.md on the analysed segments of one part (those without drilling are left out),
+/// or with Method::kPaper sections 3.6 and 3.7 of the paper. The bank has at most `count` clicks and no name
+/// yet. Errors: InputError naming `part` when there are too few clicks. Thread: OFF.
+BuiltBank build_bank(const std::vector<ChainResult>& segments, Method method, int count,
+                     const std::string& part);
+
+}  // namespace rigsound::analysis

@@ -1,0 +1,26 @@
+// Audacity label tracks: which stretch of a recording is which drilling situation.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "rigsound/situation.hpp"
+
+namespace rigsound::analysis {
+
+struct Label {
+  double start_s = 0, end_s = 0;
+  Situation situation = Situation::kNormal;
+  int rods = 0;      ///< 1...20; 0: not said
+  std::string rock;  ///< empty: not said
+  double rpm = 0;    ///< r/min of the diesel; 0: not said
+  int line = 0;      ///< in the label file
+};
+
+/// Lines of `start<TAB>end<TAB>situation[ key=value]...`, seconds, keys `rods`, `rock`, `rpm`; in file order.
+/// Blank lines and Audacity's frequency lines (starting with a backslash) are passed over. Errors: InputError
+/// with file, line and key. Thread: OFF.
+std::vector<Label> read_labels(const std::filesystem::path& path);
+
+}  // namespace rigsound::analysis

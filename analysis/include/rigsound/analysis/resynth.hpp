@@ -1,0 +1,27 @@
+// A bank played offline, by the engine itself.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "rigsound/click_bank.hpp"
+#include "rigsound/machine_state.hpp"
+
+namespace rigsound::analysis {
+
+struct ResynthImpact {
+  double time = 0;       ///< samples at the bank's rate, not rounded
+  double amplitude = 1;  ///< relative to the mean blow
+};
+
+struct Resynthesis {
+  std::vector<float> sound;            ///< at the bank's rate, full scale 1
+  std::vector<ResynthImpact> impacts;  ///< the blows in it
+};
+
+/// `seconds` of the bank under the paper's six controls: the same samples the engine plays live with that
+/// seed. Errors: InputError when the bank cannot be played. Thread: OFF.
+Resynthesis resynthesise(const ClickBank& bank, double seconds, std::uint64_t seed,
+                         const DrillControls& controls = {});
+
+}  // namespace rigsound::analysis

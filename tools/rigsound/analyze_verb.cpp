@@ -1,0 +1,113 @@
+// rigsound analyze: recordings in, a sound set out.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+
+#include "progress_bar.hpp"
+#include "rigsound/analysis/analyzer.hpp"
+#include "rigsound/analysis/report.hpp"
+#include "verbs.hpp"
+
+namespace rigsound::tools {
+namespace {
+
+using namespace analysis;
+
+struct AnalyzeArguments {
+  std::vector<std::string> inputs;
+  std::string situation = "normal", method = "click-nmf", shard = "1/1", report;
+  bool no_denoise = false;
+  AnalyzerOptions options;
+};
+
+void read_shard(const std::string& text, AnalyzerOptions& options) {
+  int read = 0;
+  if (std::sscanf(text.c_str(), "%d/%d%n", &options.shard, &options.shards, &read) != 2 ||
+      read != static_cast<int>(text.size()) || options.shards < 1 || options.shard < 0 ||
+      options.shard > options.shards)
+    throw CLI::ValidationError("--shard", "'" + text + "' is wrong, expected I/N with I from 1 to N");
+}
+
+AnalyzerOptions options_of(const AnalyzeArguments& a) {
+  AnalyzerOptions options = a.options;
+  options.inputs.assign(a.inputs.begin(), a.inputs.end());
+  options.situation = *situation_by_name(a.situation);
+  options.method = a.method == "paper" ? Method::kPaper : Method::kClickNmf;
+  options.denoise = !a.no_denoise;
+  options.report = a.report.empty() ? ReportSections::kSkip : ReportSections::kWrite;
+  options.tool_version = RIGSOUND_VERSION;
+  read_shard(a.shard, options);
+  return options;
+}
+
+void print_bank(const AnalysedPart& p) {
+  fmt::print(
+      "{} situation={} rods={} rate_hz={:.3f} clicks={} found={} level_db={:.2f} snr_db={:.2f} "
+      "ltas_error_db={:.2f} "
+      "modulation_error_db={:.2f} source={}\n",
+      p.part.bank, name(p.part.label.situation), p.part.label.rods, p.figures.rate_hz, p.clicks,
+      p.figures.clicks_found, p.figures.level_db, p.figures.snr_db, p.figures.ltas_error_db,
+      p.figures.modulation_error_db, p.part.recording.string());
+}
+
+void analyze(const AnalyzeArguments& a) {
+  const AnalyzerOptions options = options_of(a);
+  AnalyzerResult result;
+  {
+    ProgressBar bar;
+    result = run_analyzer(options, [&bar](int analysed, int total) { bar.show(analysed, total); });
+  }
+  for (const AnalysedPart& p : result.banks) print_bank(p);
+  std::fflush(stdout);
+  for (const AnalysedPart& p : result.banks)
+    for (const std::string& warning : p.warnings)
+      fmt::print(stderr, "{}: warning: {}\n", p.part.bank, warning);
+  if (!a.report.empty()) write_report(a.report, options.sound_set, result);
+  if (result.failures.empty()) return;
+  for (std::size_t i = 0; i + 1 < result.failures.size(); ++i) fmt::print(stderr, "{}\n", result.failures[i]);
+  throw std::runtime_error(result.failures.back());  // the last line, and exit code 1
+}
+
+}  // namespace
+
+void add_analyze(CLI::App& app) {
+  auto* verb =
+      app.add_subcommand("analyze", "Learns a bank of clicks from every labelled part of recordings");
+  auto a = std::make_shared<AnalyzeArguments>();
+  AnalyzerOptions& o = a->options;
+  o.jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  verb->add_option("inputs", a->inputs, "recordings, and folders of recordings (not the folders inside)")
+      ->required();
+  verb->add_option("--out", o.sound_set, "sound set; made if need be, never overwritten where people edit it")
+      ->required();
+  verb->add_option(
+      "--labels", o.labels,
+      "Audacity label file of the one recording; otherwise STEM.txt beside each recording is used");
+  verb->add_option("--situation", a->situation, "of recordings without labels, which are taken whole")
+      ->check(CLI::IsMember(std::vector<std::string>(kSituationNames.begin(), kSituationNames.end())))
+      ->capture_default_str();
+  verb->add_option("--jobs", o.jobs, "parts analysed at the same time; banks do not depend on it")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  verb->add_option("--shard", a->shard, "I/N: this run does every N-th part, I from 1 to N")
+      ->capture_default_str();
+  verb->add_option("--report", a->report, "also write one self-contained HTML page that shows every bank");
+  verb->add_option("--method", a->method, "click-nmf, or paper: the drilling paper's own chain")
+      ->check(CLI::IsMember({"click-nmf", "paper"}))
+      ->capture_default_str();
+  verb->add_option("--clicks", o.clicks, "most clicks in a bank")
+      ->check(CLI::Range(2, 1000))
+      ->capture_default_str();
+  verb->add_flag("--no-denoise", a->no_denoise, "take the recordings as clean");
+  verb->footer(
+      "One line a bank on stdout. Finished banks made from the same sound with the same settings are kept, "
+      "so a run that was\n"
+      "stopped goes on where it was. What gave no bank is listed at the end, and the exit code is then 1.\n"
+      "Example: rigsound analyze recordings/ --out soundset --jobs 4 --report report.html");
+  verb->callback([a] { analyze(*a); });
+}
+
+}  // namespace rigsound::tools
