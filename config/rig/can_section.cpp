@@ -72,7 +72,7 @@ class CanSection {
       throw InputError(dbc_file_.string(), "holds no message, expected BO_ sections");
   }
 
-  // "MESSAGE.SIGNAL", or a table { signal = "MESSAGE.SIGNAL", source = 0x00 }.
+  // "MESSAGE.SIGNAL", or a table { signal = "MESSAGE.SIGNAL", source = 0x00, scale = 1, offset = 0 }.
   void route(TomlTable& table, const std::string& key, SignalId id) {
     can::SignalRoute route;
     route.target = id;
@@ -83,11 +83,20 @@ class CanSection {
         route.match.source = static_cast<std::uint8_t>(details.integer("source", 0, 0, 255));
         if (!route.match.j1939) details.fail("source", "needs a J1939 message, expected j1939 = true");
       }
+      scale(details, route.layout);
       details.refuse_unknown();
     } else {
       look_up(table, key, table.required_text(key, "\"MESSAGE.SIGNAL\" of the DBC"), route);
     }
     options_.routes.push_back(std::move(route));
+  }
+
+  // What the DBC says is in the bus's unit; the rig turns it into the machine signal's.
+  static void scale(TomlTable& details, can::SignalLayout& layout) {
+    const double scale = details.number("scale", 1, -1e9, 1e9);
+    if (scale == 0) details.fail("scale", "is 0, expected any other number");
+    layout.scale *= scale;
+    layout.offset = layout.offset * scale + details.number("offset", 0, -1e9, 1e9);
   }
 
   void look_up(TomlTable& table, std::string_view key, const std::string& path,

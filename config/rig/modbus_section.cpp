@@ -32,7 +32,7 @@ RegisterRoute read_register(TomlTable table, SignalId id) {
   RegisterRoute route;
   route.target = id;
   route.table = table.word("table", route.table, kTables);
-  if (!table.has("address")) table.fail("address", "is missing, expected a register or bit counted from 0");
+  table.require("address", "a register or bit counted from 0");
   route.address = static_cast<std::uint16_t>(table.integer("address", 0, 0, 65535));
   if (is_bit(route.table) && (table.has("type") || table.has("word_order")))
     table.fail(table.has("type") ? "type" : "word_order", "does not go with a bit, expected none");

@@ -83,14 +83,19 @@ std::string TomlTable::text(std::string_view key, std::string_view otherwise) {
   return *node->value<std::string>();
 }
 
-std::string TomlTable::required_text(std::string_view key, std::string_view expected) {
-  const std::string given = text(key, {});
-  if (!given.empty()) return given;
-  if (has(key)) fail(key, "is empty, expected " + std::string(expected));
+void TomlTable::require(std::string_view key, std::string_view expected) {
+  if (known(key) != nullptr) return;
   for (const std::string& other : keys())
     if (known_.count(other) == 0 && edit_distance(other, key) <= 2)
       fail(other, "is not known here, did you mean '" + std::string(key) + "'?");
   fail(key, "is missing, expected " + std::string(expected));
+}
+
+std::string TomlTable::required_text(std::string_view key, std::string_view expected) {
+  require(key, expected);
+  std::string given = text(key, {});
+  if (given.empty()) fail(key, "is empty, expected " + std::string(expected));
+  return given;
 }
 
 std::vector<std::string> TomlTable::texts(std::string_view key) {

@@ -30,6 +30,7 @@ class TomlTable {
   int integer(std::string_view key, int otherwise, int min, int max);
   bool flag(std::string_view key, bool otherwise);
   std::string text(std::string_view key, std::string_view otherwise);
+  void require(std::string_view key, std::string_view expected);  ///< refuses a table without the key
   std::string required_text(std::string_view key, std::string_view expected);
   std::vector<std::string> texts(std::string_view key);
 

@@ -27,7 +27,7 @@ std::optional<Signal> signal_by_name(std::string_view name) {
 }
 
 std::string_view name(Validity v) {
-  constexpr std::string_view kNames[] = {"never_seen", "valid",         "stale",       "bus_down",
+  constexpr std::string_view kNames[] = {"never_seen",  "valid",         "stale",       "bus_down",
                                          "error_value", "not_available", "out_of_range"};
   return kNames[static_cast<std::size_t>(v)];
 }

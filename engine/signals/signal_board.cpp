@@ -14,6 +14,21 @@ double step_towards(double from, double to, double step) {
   return from < to ? std::min(to, from + step) : std::max(to, from - step);
 }
 
+// One bad value between good ones is no reason to act: an error, a missing or an impossible value counts
+// when the last good one has grown stale. A bus that is down counts at once.
+bool distrusted(const SignalBoard::Reading& r, const SafetyRule& rule, double now_s) {
+  switch (r.validity) {
+    case Validity::kNeverSeen:
+    case Validity::kValid:
+      return false;
+    case Validity::kStale:
+    case Validity::kBusDown:
+      return true;
+    default:
+      return rule.stale_after_s <= 0 || now_s - r.seen_s > rule.stale_after_s;
+  }
+}
+
 }  // namespace
 
 SignalBoard::SignalBoard(const SafetyOptions& options) : options_(options) {
@@ -32,7 +47,8 @@ SignalBoard::Cell& SignalBoard::cell(SignalId id) {
 Validity SignalBoard::update(SignalId id, double value, double time_s) {
   Reading& r = cell(id).reading;
   const SignalInfo& limits = info(id.signal);
-  if (!(value >= limits.min && value <= limits.max)) {
+  const bool in_range = value >= limits.min && value <= limits.max;
+  if (!in_range && value != limits.absent) {
     invalidate(id, Validity::kOutOfRange);
     return Validity::kOutOfRange;
   }
@@ -62,7 +78,7 @@ void SignalBoard::settle(Signal s, Cell& c, double now_s, double step, bool& mut
   const SafetyRule& rule = options_.rule[static_cast<std::size_t>(s)];
   if (c.reading.validity == Validity::kNeverSeen) return;
   c.reading = reading_of(c, s, now_s);
-  const bool good = c.reading.validity == Validity::kValid;
+  const bool good = !distrusted(c.reading, rule, now_s);
   mute = mute || (!good && rule.action == SafetyAction::kMute);
   c.distrust = step_towards(c.distrust, good ? 0.0 : 1.0, step);
   const double rest = rest_value(s, rule.action, c.reading.value);

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "rigsound/config/rig.hpp"
+#include "rigsound/modbus/exchange.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -30,18 +31,12 @@ void print_can(const config::Rig& rig) {
 }
 
 void print_modbus(const config::Rig& rig) {
-  constexpr std::string_view kTables[] = {"holding", "input", "discrete", "coil"};
-  constexpr int kFirst[] = {40001, 30001, 10001, 1};
   for (const modbus::ModbusOptions& link : rig.modbus) {
     fmt::print("modbus {} {}: {} signals\n", link.role == modbus::Role::kServer ? "server" : "client",
                link.address, link.routes.size());
     for (const modbus::RegisterRoute& route : link.routes) {
-      const auto table =
-          static_cast<std::size_t>(route.table == modbus::Table::kCoil       ? 3
-                                   : route.table == modbus::Table::kDiscrete ? 2
-                                                                             : static_cast<int>(route.table));
-      fmt::print("  {:<20} {} {} = {:05}", config::signal_label(rig, route.target), kTables[table],
-                 route.address, kFirst[table] + route.address);
+      fmt::print("  {:<20} {}", config::signal_label(rig, route.target),
+                 modbus::describe(route.table, route.address));
       print_rule(rig, route.target);
     }
   }

@@ -30,7 +30,8 @@ class SignalBoard {
   explicit SignalBoard(const SafetyOptions& options);
 
   /// A value as decoded from a bus, in the signal's unit. NaN or a value outside the signal's range is
-  /// recorded as invalid (kOutOfRange) and the last good value stays. Returns the validity recorded.
+  /// recorded as invalid (kOutOfRange) and the last good value stays; the value that means "absent" may be
+  /// said too. Returns the validity recorded.
   Validity update(SignalId id, double value, double time_s);
 
   /// The bus said something that is no value (error code, not available), or is down. A signal that was

@@ -82,3 +82,33 @@ TEST_CASE("stepped signals are rounded and never stand between two values") {
   CHECK(board.resolve(0).boom[0].rod_count == 7);
   CHECK(board.resolve(0.55).boom[0].rod_count == 1);
 }
+
+TEST_CASE("one bad value between good ones does nothing; bad values for longer than the limit act") {
+  SignalBoard board(rules(SafetyAction::kIdle));
+  board.update(kFeed, 100, 0);
+  board.resolve(0);
+  board.invalidate(kFeed, Validity::kNotAvailable);
+  CHECK(board.reading(kFeed, 0.4).validity == Validity::kNotAvailable);
+  CHECK(board.resolve(0.4).boom[0].feed_pressure_bar == 100);
+  CHECK(board.resolve(0.5).boom[0].feed_pressure_bar == 100);
+  CHECK(board.resolve(0.6).boom[0].feed_pressure_bar == doctest::Approx(50));
+}
+
+TEST_CASE("where nothing grows stale a bad value acts at once") {
+  SafetyOptions options = rules(SafetyAction::kIdle);
+  for (SafetyRule& rule : options.rule) rule.stale_after_s = 0;
+  SignalBoard board(options);
+  board.update(kFeed, 100, 0);
+  CHECK(board.resolve(1000).boom[0].feed_pressure_bar == 100);
+  board.invalidate(kFeed, Validity::kErrorValue);
+  CHECK(board.resolve(1000.1).boom[0].feed_pressure_bar == doctest::Approx(50));
+}
+
+TEST_CASE("the value that means absent may be said") {
+  SignalBoard board(rules(SafetyAction::kHold));
+  const SignalId rate{Signal::kPercussionRateHz, 0};
+  CHECK(board.update(rate, 40, 0) == Validity::kValid);
+  CHECK(board.update(rate, 3, 0) == Validity::kOutOfRange);
+  CHECK(board.update(rate, 0, 0) == Validity::kValid);
+  CHECK(board.resolve(0).boom[0].percussion_rate_hz == 0);
+}

@@ -100,6 +100,8 @@ TEST_CASE("a sound set that cannot be played says what is wrong and where") {
   set.write("soundset.toml", "format = 1\n[[bank]]\nname = \"a\"\nsituation = \"normal\"\n");
   CHECK(complaint(load).find("no bank serves the situation underfeed") != std::string::npos);
   set.write("soundset.toml", "format = 1\n[[bank]]\nname = \"a\"\nsituaton = \"normal\"\n");
+  CHECK(complaint(load) == file + ":4: bank.situaton: is not known here, did you mean 'situation'?");
+  set.write("soundset.toml", "format = 1\n[[bank]]\nname = \"a\"\n");
   CHECK(complaint(load).find(":2: bank.situation: is missing") != std::string::npos);
   set.write("soundset.toml", "format = 1\n[[bank]]\nname = \"a\"\nsituation = \"norml\"\n");
   CHECK(complaint(load).find(":4: bank.situation: \"norml\" is not known, expected one of normal,") !=
