@@ -112,7 +112,9 @@ def main():
     waveform.fill_between(times, blocks.min(1), blocks.max(1), color='#222', lw=0)
     waveform.set_ylabel('amplitude')
     waveform.set_ylim(-1, 1)
-    spectrum.specgram(sound + 1e-9, NFFT=2048, Fs=rate, noverlap=1024, cmap='magma', vmin=-130, vmax=-35)
+    with np.errstate(divide='ignore'):  # digital silence has no level
+        spectrum.specgram(sound, NFFT=2048, Fs=rate, noverlap=1024, cmap='magma', vmin=-130, vmax=-35)
+    spectrum.set_facecolor('black')
     spectrum.set_yscale('symlog', linthresh=1000)
     spectrum.set_ylim(0, 20000)
     spectrum.set_yticks([0, 250, 500, 1000, 2000, 5000, 10000, 20000], ['0', '250', '500', '1k', '2k', '5k', '10k', '20k'])
