@@ -80,6 +80,7 @@ Rig load_rig(const std::filesystem::path& file) {
   for (TomlTable& table : root.tables("can")) rig.can.push_back(read_can(table, folder, rig.engine.booms));
   for (TomlTable& table : root.tables("modbus")) rig.modbus.push_back(read_modbus(table, rig.engine.booms));
   rig.safety = read_safety(root.table("safety"), stale_defaults(rig));
+  rig.safety.idle_rpm = rig.engine.scene.idle_rpm;
   rig.control = read_control(root.table("control"));
   root.refuse_unknown();
   require_own_interfaces(rig, root);

@@ -6,10 +6,6 @@
 namespace rigsound {
 namespace {
 
-double rest_value(Signal s, SafetyAction action, double last_good) {
-  return action == SafetyAction::kIdle ? info(s).idle : last_good;
-}
-
 double step_towards(double from, double to, double step) {
   return from < to ? std::min(to, from + step) : std::max(to, from - step);
 }
@@ -74,6 +70,11 @@ SignalBoard::Reading SignalBoard::reading(SignalId id, double now_s) const {
   return reading_of(cell(id), id.signal, now_s);
 }
 
+double SignalBoard::rest_value(Signal s, double last_good) const {
+  if (options_.rule[static_cast<std::size_t>(s)].action != SafetyAction::kIdle) return last_good;
+  return s == Signal::kEngineRpm ? std::min(last_good, options_.idle_rpm) : info(s).idle;
+}
+
 void SignalBoard::settle(Signal s, Cell& c, double now_s, double step, bool& mute) {
   const SafetyRule& rule = options_.rule[static_cast<std::size_t>(s)];
   if (c.reading.validity == Validity::kNeverSeen) return;
@@ -81,7 +82,7 @@ void SignalBoard::settle(Signal s, Cell& c, double now_s, double step, bool& mut
   const bool good = !distrusted(c.reading, rule, now_s);
   mute = mute || (!good && rule.action == SafetyAction::kMute);
   c.distrust = step_towards(c.distrust, good ? 0.0 : 1.0, step);
-  const double rest = rest_value(s, rule.action, c.reading.value);
+  const double rest = rest_value(s, c.reading.value);
   if (info(s).stepped)
     c.shown = good ? c.reading.value : rest;
   else

@@ -130,7 +130,7 @@ class Decode(Case):
         frame = 'can0 0CF00400#000000204E000000'
         log = self.write('a.log', f'(1.000000) {frame}\n(2.000000) {frame}\n')
         rows = [line.split(',') for line in run('decode', rig, '--log', log).stdout.splitlines()[1:]]
-        self.assertEqual([value for _, _, value in rows], ['2500', '0', '2500'])
+        self.assertEqual([value for _, _, value in rows], ['2500', '800', '2500'])
         self.assertAlmostEqual(float(rows[1][0]), 0.1, delta=0.011)  # three cycles of 20 ms, at least 100 ms
 
     def test_time_running_backwards_is_kept_and_said_once(self):

@@ -20,7 +20,8 @@ struct SafetyRule {
 
 struct SafetyOptions {
   std::array<SafetyRule, kSignalCount> rule{};
-  double fade_s = 0.3;  ///< time a safety action takes to act, and to let go
+  double fade_s = 0.3;    ///< time a safety action takes to act, and to let go
+  double idle_rpm = 800;  ///< where `idle` brings the diesel, r/min; one that turned slower stays there
 };
 
 /// Collects readings from buses and resolves them at block boundaries. Deterministic: the result depends
@@ -60,6 +61,7 @@ class SignalBoard {
   };
   const Cell& cell(SignalId id) const;
   Cell& cell(SignalId id);
+  double rest_value(Signal s, double last_good) const;
   Reading reading_of(const Cell& c, Signal s, double now_s) const;
   void settle(Signal s, Cell& c, double now_s, double step, bool& mute);
 

@@ -64,6 +64,18 @@ TEST_CASE("idle: a stale pressure fades to quiet over fade_s and back when it re
   CHECK(board.resolve(0.9).boom[0].feed_pressure_bar == doctest::Approx(80));
 }
 
+TEST_CASE("idle: a diesel goes to its idle speed, and is not started by a broken bus") {
+  SignalBoard board(rules(SafetyAction::kIdle));
+  board.update(kRpm, 2000, 0);
+  board.resolve(0);
+  board.resolve(1);
+  CHECK(board.resolve(2).engine_rpm == doctest::Approx(800));
+  board.update(kRpm, 0, 3);
+  board.resolve(3);
+  board.resolve(4);
+  CHECK(board.resolve(5).engine_rpm == 0);
+}
+
 TEST_CASE("mute: the safety gain falls to zero over fade_s and comes back") {
   SignalBoard board(rules(SafetyAction::kMute));
   board.update(kRpm, 900, 0);
