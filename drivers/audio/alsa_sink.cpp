@@ -131,6 +131,7 @@ void AlsaSink::tend() {
   try {
     std::unique_ptr<Pcm> pcm = open_(options_);
     description_ = describe(options_, pcm->granted());
+    format_ = pcm->granted().format;
     pause_ns_ = kFirstPause_ns;
     next_try_ns_ = now + pause_ns_;
     playing_.store(true, std::memory_order_relaxed);
@@ -146,6 +147,7 @@ CardStatus AlsaSink::status() const {
   CardStatus status;
   status.playing = playing_.load(std::memory_order_acquire);
   status.description = description_;
+  status.format = format_;
   for (std::size_t i = 0; i < events_.size(); ++i)
     status.events[i] = events_[i].load(std::memory_order_relaxed);
   return status;

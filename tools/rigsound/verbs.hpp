@@ -11,6 +11,7 @@ void add_analyze(CLI::App& app);
 void add_bench(CLI::App& app);
 void add_check(CLI::App& app);
 void add_clicks(CLI::App& app);
+void add_ctl(CLI::App& app);
 void add_decode(CLI::App& app);
 void add_denoise(CLI::App& app);
 void add_render(CLI::App& app);

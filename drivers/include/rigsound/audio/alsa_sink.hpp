@@ -24,6 +24,7 @@ constexpr int kCardEventCount = 6;
 struct CardStatus {
   bool playing = false;                                 ///< a card is open
   std::string description;                              ///< what was granted, or why there is no card
+  SampleFormat format = SampleFormat::kAuto;            ///< of the card; kAuto before the first one was found
   std::array<std::uint64_t, kCardEventCount> events{};  ///< by CardEvent
 };
 
@@ -36,7 +37,8 @@ class AlsaSink : public Sink {
   /// Tries to open the card at once; a missing card is no error. Thread: OFF.
   AlsaSink(const AudioOptions& options, Clock& clock);
   /// The same with another way to open a card, for tests.
-  AlsaSink(const AudioOptions& options, std::function<std::unique_ptr<Pcm>(const AudioOptions&)> open, Clock& clock);
+  AlsaSink(const AudioOptions& options, std::function<std::unique_ptr<Pcm>(const AudioOptions&)> open,
+           Clock& clock);
   ~AlsaSink() override;
   AlsaSink(const AlsaSink&) = delete;
   AlsaSink& operator=(const AlsaSink&) = delete;
@@ -72,6 +74,7 @@ class AlsaSink : public Sink {
   std::array<std::atomic<std::uint64_t>, kCardEventCount> events_{};
 
   std::string description_;
+  SampleFormat format_ = SampleFormat::kAuto;
   std::int64_t next_try_ns_ = 0, pause_ns_ = 0;
 };
 

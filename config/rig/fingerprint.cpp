@@ -1,0 +1,83 @@
+#include "rigsound/config/fingerprint.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+#include "rigsound/input_error.hpp"
+#include "rigsound/mix64.hpp"
+
+namespace rigsound::config {
+namespace fs = std::filesystem;
+
+namespace {
+
+class Print {
+ public:
+  void add(std::uint64_t word) { state_ = mix64(state_ ^ mix64(word + 0x9e3779b97f4a7c15ULL)); }
+  void add(double value) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &value, sizeof bits);
+    add(bits);
+  }
+  void add(const std::string& text) {
+    add(static_cast<std::uint64_t>(text.size()));
+    for (std::size_t i = 0; i < text.size(); i += 8) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, text.data() + i, std::min<std::size_t>(8, text.size() - i));
+      add(word);
+    }
+  }
+  std::string hex() const {
+    std::string text(16, '0');
+    for (int i = 0; i < 16; ++i)
+      text[static_cast<std::size_t>(i)] = "0123456789abcdef"[state_ >> (60 - 4 * i) & 15];
+    return text;
+  }
+
+ private:
+  std::uint64_t state_ = 0;
+};
+
+void add_options(const Rig& rig, Print& print) {
+  const EngineOptions& o = rig.engine;
+  const SceneOptions& s = o.scene;
+  for (const double x :
+       {o.sample_rate, static_cast<double>(o.block), static_cast<double>(o.channels), s.contact_bar,
+        s.underfeed_bar, s.overfeed_bar, s.hysteresis_bar, s.crossfade_s, s.open_burst_s, s.open_sustain_db,
+        s.idle_rpm, o.mix.drill_db, o.mix.tool_db, o.mix.background_db, o.mix.ceiling_dbfs})
+    print.add(x);
+  for (const EqualiserBand& band : o.mix.equaliser)
+    for (const double x : {band.frequency_hz, band.gain_db, band.q}) print.add(x);
+  for (std::size_t b = 0; b < o.booms.size(); ++b) {
+    print.add(o.booms[b].pan);
+    print.add(o.booms[b].gain_db);
+    if (b < rig.boom_tools.size()) print.add(rig.boom_tools[b]);
+  }
+}
+
+void add_files(const fs::path& folder, Print& print) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  for (const fs::path& file : files) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw InputError(file.string(), "cannot be read");
+    print.add(fs::relative(file, folder).string());
+    print.add(std::string(std::istreambuf_iterator<char>(in), {}));
+  }
+}
+
+}  // namespace
+
+std::string fingerprint(const Rig& rig) {
+  Print print;
+  add_options(rig, print);
+  if (!rig.sound_set.empty()) add_files(rig.sound_set, print);
+  return print.hex();
+}
+
+}  // namespace rigsound::config

@@ -1,0 +1,27 @@
+// The other end of the daemon's control socket.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "rigsound/file/file_descriptor.hpp"
+
+namespace rigsound::tools {
+
+using Json = nlohmann::ordered_json;
+
+class ControlClient {
+ public:
+  /// Errors: DeviceError when no daemon listens there.
+  explicit ControlClient(const std::string& socket);
+
+  /// Errors: DeviceError when the daemon goes away, std::runtime_error with its words when it refuses.
+  Json ask(const Json& request);
+
+ private:
+  std::string socket_;
+  FileDescriptor fd_;
+  std::string unread_;
+};
+
+}  // namespace rigsound::tools

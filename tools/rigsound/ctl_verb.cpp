@@ -1,0 +1,98 @@
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+#include "ctl/control_client.hpp"
+#include "ctl/status_view.hpp"
+#include "verbs.hpp"
+
+namespace rigsound::tools {
+namespace {
+
+struct Options {
+  std::string socket = "/run/rigsound/control.sock";
+  bool json = false;
+  std::string key;
+  double value = 0, seconds = 0.2;
+  std::string mute;
+};
+
+void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+void status(const Options& o) {
+  const Json answer = ControlClient(o.socket).ask({{"command", "status"}});
+  print(o.json ? answer.dump() + "\n" : status_text(answer));
+}
+
+// Ends with the daemon, or by Ctrl-C; on a terminal each view replaces the one before.
+void watch(const Options& o) {
+  ControlClient client(o.socket);
+  const bool terminal = ::isatty(STDOUT_FILENO) != 0;
+  for (;;) {
+    const std::string text = status_text(client.ask({{"command", "status"}}));
+    print((terminal ? "\033[H\033[2J" : "") + text);
+    std::fflush(stdout);
+    std::this_thread::sleep_for(std::chrono::duration<double>(o.seconds));
+  }
+}
+
+void set(const Options& o) {
+  ControlClient(o.socket).ask({{"command", "set"}, {"key", o.key}, {"value", o.value}});
+}
+
+void reload(const Options& o) {
+  const Json answer = ControlClient(o.socket).ask({{"command", "reload"}});
+  print("reloaded\n");
+  for (const Json& key : answer["not_applied"])
+    std::fprintf(stderr, "needs a restart: %s\n", key.get<std::string>().c_str());
+}
+
+void mute(const Options& o) {
+  Json request = {{"command", "mute"}};
+  if (!o.mute.empty()) request["on"] = o.mute == "on";
+  const Json answer = ControlClient(o.socket).ask(request);
+  print(answer["muted"].get<bool>() ? "muted\n" : "unmuted\n");
+}
+
+void metrics(const Options& o) {
+  print(ControlClient(o.socket).ask({{"command", "metrics"}})["text"].get<std::string>());
+}
+
+}  // namespace
+
+void add_ctl(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand("ctl", "Talks to the running daemon.");
+  auto options = std::make_shared<Options>();
+  verb->require_subcommand(1);
+  verb->fallthrough();
+  verb->add_option("--socket", options->socket, "the rig's [control] socket")->capture_default_str();
+  const auto add = [&](const char* name, const char* help, void (*run)(const Options&)) {
+    CLI::App* command = verb->add_subcommand(name, help);
+    command->callback([run, options] { run(*options); });
+    return command;
+  };
+  add("status", "how it is: audio, meters, buses, signals", status)
+      ->add_flag("--json", options->json, "one JSON object");
+  add("watch", "the same, again and again", watch)
+      ->add_option("--every", options->seconds, "seconds between two views")
+      ->check(CLI::Range(0.02, 3600.0))
+      ->capture_default_str();
+  CLI::App* set_command = add("set", "changes a live control of the drill", set);
+  set_command->add_option("KEY", options->key, "[BOOM.]CONTROL, see below; without BOOM all booms")
+      ->required();
+  set_command->add_option("VALUE", options->value, "number")->required();
+  add("reload", "reads the rig again, all of it or none", reload);
+  add("mute", "silences the sound, or lets it be heard again", mute)
+      ->add_option("STATE", options->mute, "on or off; left out: the other one")
+      ->check(CLI::IsMember({"on", "off"}));
+  add("metrics", "OpenMetrics text", metrics);
+  const char* controls =
+      "Controls: mean_frequency_hz (1...100 Hz; 0: the machine's own), mean_amplitude_db (-60...24),\n"
+      "deviation_time and deviation_amplitude (factors 0...4), attack_factor (0.1...10), decay_factor "
+      "(0.25...10).\n\n";
+  verb->footer(std::string(controls) + "Example: rigsound ctl set boom1.mean_frequency_hz 42");
+}
+
+}  // namespace rigsound::tools

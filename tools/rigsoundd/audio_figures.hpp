@@ -1,0 +1,23 @@
+// How the audio thread is doing, readable from anywhere.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+namespace rigsound::daemon {
+
+/// Written by the audio thread only, relaxed: each figure stands for itself.
+struct AudioFigures {
+  std::atomic<std::uint64_t> blocks{0};      ///< since the daemon started
+  std::atomic<std::uint64_t> run_blocks{0};  ///< of the run; released after the records of these blocks
+  std::atomic<std::uint32_t> run{0};
+  std::atomic<std::uint64_t> busy_ns{0};          ///< spent in the engine, all blocks together
+  std::atomic<std::uint64_t> worst_ns{0};         ///< of one block
+  std::atomic<std::uint64_t> deadline_misses{0};  ///< blocks that took longer to compute than to play
+  std::atomic<std::uint64_t> lost_records{0};
+  std::atomic<std::uint64_t> lost_clicks{0};  ///< of the run
+  std::atomic<float> peak{0}, rms{0};         ///< of the last block, linear
+  std::atomic<float> limiter_gain{1};
+};
+
+}  // namespace rigsound::daemon

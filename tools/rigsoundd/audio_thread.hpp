@@ -1,0 +1,57 @@
+// The real-time thread: newest state, one block, the sink.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "audio_figures.hpp"
+#include "rigsound/audio/block_loop.hpp"
+#include "rigsound/audio/sink.hpp"
+#include "rigsound/engine.hpp"
+#include "rigsound/handoff/triple_buffer.hpp"
+#include "run_record.hpp"
+
+namespace rigsound::daemon {
+
+/// Renders from construction to stop(). It takes a new engine between two blocks; each begins a
+/// new run whose blocks count from 0.
+class AudioThread {
+ public:
+  AudioThread(std::unique_ptr<Engine> engine, audio::Sink& sink, TripleBuffer<MachineState>& states);
+  ~AudioThread();
+  AudioThread(const AudioThread&) = delete;
+  AudioThread& operator=(const AudioThread&) = delete;
+
+  void start();  ///< Thread: CT
+  void stop();   ///< Thread: CT
+
+  /// Returns when the new engine plays, and destroys the old one. Thread: CT
+  void replace_engine(std::unique_ptr<Engine> engine);
+
+  const AudioFigures& figures() const { return figures_; }       ///< Thread: any
+  RunQueue& records() { return records_; }                       ///< its reader, CT
+  const std::string& scheduling() const { return scheduling_; }  ///< "SCHED_FIFO 70", or why not
+
+ private:
+  class States;  // what a block begins with
+  class Timed;   // what it ends with
+
+  void loop();
+  void ask_scheduler();
+  void begin_run();
+  void end_run(std::uint64_t blocks);
+
+  std::unique_ptr<Engine> engine_;
+  audio::Sink& sink_;
+  TripleBuffer<MachineState>& states_;
+  RunQueue records_{kRunQueueLength};
+  AudioFigures figures_;
+  std::atomic<Engine*> offered_{nullptr}, retired_{nullptr};
+  std::atomic<bool> stop_{false}, ready_{false};
+  std::string scheduling_;
+  std::thread thread_;
+};
+
+}  // namespace rigsound::daemon

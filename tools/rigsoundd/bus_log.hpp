@@ -1,0 +1,29 @@
+// What a bus thread says, for the log and for whoever asks later.
+#pragma once
+
+#include <mutex>
+#include <string>
+
+namespace rigsound::daemon {
+
+/// Thread: any.
+class BusLog {
+ public:
+  explicit BusLog(std::string name) : name_(std::move(name)) {}
+
+  void up();
+  void down(const std::string& why);
+  void notice(const std::string& text);
+
+  const std::string& name() const { return name_; }
+  bool is_up() const;
+  std::string last_problem() const;  ///< empty while all is well
+
+ private:
+  std::string name_;
+  mutable std::mutex mutex_;
+  bool up_ = false;
+  std::string problem_;
+};
+
+}  // namespace rigsound::daemon

@@ -1,0 +1,35 @@
+// The control socket's language: one JSON object a line in, one out.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "rigsound/machine_state.hpp"
+#include "snapshot.hpp"
+
+namespace rigsound::daemon {
+
+struct ReloadResult {
+  std::string error;                     ///< empty: the new rig is in force
+  std::vector<std::string> not_applied;  ///< keys that need a restart, with old and new value
+};
+
+/// What the commands may do.
+class Commanded {
+ public:
+  virtual ~Commanded() = default;
+  virtual Snapshot snapshot() const = 0;
+  virtual ReloadResult reload() = 0;
+  virtual void mute(bool muted) = 0;
+  virtual std::vector<std::string> boom_names() const = 0;
+  virtual DrillControls controls(int boom) const = 0;
+  virtual void set_controls(int boom, const DrillControls& controls) = 0;
+};
+
+/// Requests: {"command": "status" | "metrics" | "reload" | "mute" | "set"}; mute takes "on" (default: the
+/// other way round), set takes "key" ([BOOM.]CONTROL) and "value". Answers: {"ok": true, ...} or
+/// {"ok": false, "error": TEXT}, with a newline. Never throws. Thread: CT.
+std::string answer(const std::string& request, Commanded& daemon);
+
+}  // namespace rigsound::daemon

@@ -1,0 +1,225 @@
+#include "daemon.hpp"
+
+#include <poll.h>
+#include <spdlog/spdlog.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "log_setup.hpp"
+#include "monotonic_time.hpp"
+#include "rigsound/device_error.hpp"
+#include "rigsound/input_error.hpp"
+
+namespace rigsound::daemon {
+namespace {
+
+constexpr auto kTick = std::chrono::milliseconds(2);
+constexpr double kTend_s = 0.1;
+constexpr double kSwapFade_s = 0.03;  // around a new engine
+constexpr double kMuteFade_s = 0.1, kLastFade_s = 0.3;
+constexpr double kSilence_s = 2;  // after so long without sound a new run disturbs nobody
+
+std::unique_ptr<audio::Sink> make_sink(const audio::AudioOptions& options, audio::Clock& clock,
+                                       audio::AlsaSink*& card) {
+  if (options.device == "null") return std::make_unique<audio::NullSink>(clock, options.rate, options.block);
+  auto sink = std::make_unique<audio::AlsaSink>(options, clock);
+  card = sink.get();
+  return sink;
+}
+
+void sleep_s(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+
+}  // namespace
+
+Daemon::Daemon(const DaemonOptions& options)
+    : loaded_(load(options.rig)),
+      exchange_(loaded_.rig.safety),
+      sink_(make_sink(loaded_.rig.audio, clock_, card_)),
+      audio_(std::move(loaded_.engine), *sink_, exchange_.handoff()),
+      recorder_(options.session, audio_.records(), audio_.figures()),
+      start_s_(monotonic_s()) {
+  open_sockets();
+  start_feeds();
+  recorder_.expect_run(session_header());
+  ticker_ = std::thread([this] {
+    while (ticking_.load(std::memory_order_relaxed)) {
+      exchange_.tick();
+      std::this_thread::sleep_for(kTick);
+    }
+  });
+  audio_.start();
+  spdlog::info("audio thread: {}", audio_.scheduling());
+}
+
+Daemon::~Daemon() {
+  feeds_.clear();
+  audio_.stop();
+  ticking_ = false;
+  if (ticker_.joinable()) ticker_.join();
+  if (!loaded_.rig.control.socket.empty()) ::unlink(loaded_.rig.control.socket.c_str());
+}
+
+void Daemon::open_sockets() {
+  const config::ControlOptions& control = loaded_.rig.control;
+  if (!control.socket.empty())
+    servers_.emplace_back(
+        listen_unix(control.socket),
+        LineServer::Protocol{"\n", false, [this](const std::string& r) { return answer(r, *this); }});
+  if (control.metrics.empty()) return;
+  servers_.emplace_back(
+      listen_tcp(control.metrics),
+      LineServer::Protocol{"\r\n\r\n", true, [this](const std::string&) {
+                             const std::string page = to_openmetrics(snapshot());
+                             return "HTTP/1.1 200 OK\r\nContent-Type: application/openmetrics-text; "
+                                    "version=1.0.0; charset=utf-8\r\n"
+                                    "Content-Length: " +
+                                    std::to_string(page.size()) + "\r\nConnection: close\r\n\r\n" + page;
+                           }});
+}
+
+void Daemon::start_feeds() {
+  for (const can::CanOptions& bus : loaded_.rig.can) feeds_.push_back(make_feed(bus, exchange_));
+  for (const modbus::ModbusOptions& bus : loaded_.rig.modbus) feeds_.push_back(make_feed(bus, exchange_));
+}
+
+void Daemon::run(int signals) {
+  service_.ready();
+  std::vector<pollfd> polls;
+  while (!stop_) {
+    polls.assign(1, pollfd{signals, POLLIN, 0});
+    for (const LineServer& server : servers_) server.add_polls(polls);
+    ::poll(polls.data(), polls.size(), static_cast<int>(kTend_s * 1e3));
+    handle_signals(signals);
+    for (LineServer& server : servers_) server.serve();
+    if (monotonic_s() >= next_tend_s_) tend();
+  }
+  service_.stopping();
+  exchange_.set_gate(0, kLastFade_s);
+  const audio::AudioOptions& audio = loaded_.rig.audio;
+  sleep_s(kLastFade_s + (audio.periods + 2) * audio.block / audio.rate);
+  audio_.stop();
+  recorder_.finish();
+  spdlog::info("stopped after {} blocks", audio_.figures().blocks.load());
+}
+
+void Daemon::handle_signals(int signals) {
+  signalfd_siginfo info{};
+  while (::read(signals, &info, sizeof info) == sizeof info) {
+    if (info.ssi_signo == SIGHUP)
+      reload();
+    else
+      stop_ = true;
+  }
+}
+
+void Daemon::tend() {
+  const double now_s = monotonic_s();
+  next_tend_s_ = now_s + kTend_s;
+  if (card_ != nullptr) card_->tend();
+  report_card();
+  tend_session(now_s);
+  service_.watch(audio_.figures().blocks.load(std::memory_order_relaxed), now_s);
+}
+
+void Daemon::tend_session(double now_s) {
+  recorder_.tend(now_s);
+  if (audio_.figures().peak.load(std::memory_order_relaxed) > 0) silent_since_s_ = now_s;
+  if (!recorder_.wants_new_run(now_s - silent_since_s_ > kSilence_s)) return;
+  spdlog::info("session: {} is full, the next one begins", recorder_.options().file.string());
+  try {
+    new_run(build(loaded_.rig));
+  } catch (const InputError& error) {
+    recorder_.give_up(std::string("no new session, the sound set can no longer be read: ") + error.what());
+  }
+}
+
+/// The old engine's end must not be heard, nor the new one's start: both are silent where they meet.
+void Daemon::new_run(LoadedRig next) {
+  const audio::AudioOptions& audio = loaded_.rig.audio;
+  exchange_.set_gate(0, kSwapFade_s);
+  sleep_s(kSwapFade_s + 4 * audio.block / audio.rate);
+  recorder_.tend(monotonic_s());
+  std::unique_ptr<Engine> engine = std::move(next.engine);
+  loaded_ = std::move(next);
+  recorder_.expect_run(session_header());
+  audio_.replace_engine(std::move(engine));
+  exchange_.set_gate(1, kSwapFade_s);
+}
+
+ReloadResult Daemon::reload() {
+  ReloadResult result;
+  service_.reloading();
+  try {
+    LoadedRig next = load_for_reload(loaded_.rig, result.not_applied);
+    feeds_.clear();
+    exchange_.set_safety(next.rig.safety);
+    new_run(std::move(next));
+    start_feeds();
+    ++reloads_;
+    spdlog::info("reloaded {}", loaded_.rig.file.string());
+    for (const std::string& key : result.not_applied) spdlog::warn("reload: needs a restart: {}", key);
+  } catch (const std::exception& error) {
+    ++failed_reloads_;
+    result.error = error.what();
+    result.not_applied.clear();
+    spdlog::error("reload refused, the old rig goes on: {}", error.what());
+  }
+  service_.ready();
+  return result;
+}
+
+void Daemon::mute(bool muted) {
+  exchange_.set_muted(muted, kMuteFade_s);
+  spdlog::info(muted ? "muted" : "unmuted");
+}
+
+std::vector<std::string> Daemon::boom_names() const {
+  std::vector<std::string> names;
+  for (const BoomOptions& boom : loaded_.rig.engine.booms) names.push_back(boom.name);
+  return names;
+}
+
+audio::CardStatus Daemon::card() const {
+  if (card_ != nullptr) return card_->status();
+  audio::CardStatus none;
+  none.playing = true;
+  none.description = "no sound card: device is null";
+  return none;
+}
+
+void Daemon::report_card() {
+  constexpr const char* kWords[audio::kCardEventCount] = {
+      "xruns", "suspends", "bad states", "short writes", "interruptions", "losses of the card"};
+  const audio::CardStatus now = card();
+  for (std::size_t i = 0; i < now.events.size(); ++i)
+    if (now.events[i] != reported_.events[i])
+      spdlog::warn("sound card: {} {}, {} in all", now.events[i] - reported_.events[i], kWords[i],
+                   now.events[i]);
+  if (now.description != reported_.description || now.playing != reported_.playing)
+    spdlog::log(now.playing ? spdlog::level::info : spdlog::level::warn, "{}{}",
+                now.playing ? "" : "no sound: ", now.description);
+  reported_ = now;
+  std::string status = now.playing ? now.description : "no sound: " + now.description;
+  for (const auto& feed : feeds_) {
+    const FeedStatus bus = feed->status();
+    status += "; " + bus.name + (bus.up ? " up" : " down");
+  }
+  service_.status(status);
+}
+
+log::SessionHeader Daemon::session_header() const {
+  log::SessionHeader header;
+  header.program = RIGSOUND_VERSION;
+  header.fingerprint = loaded_.fingerprint;
+  header.seed = loaded_.rig.engine.seed;
+  header.sample_rate = loaded_.rig.engine.sample_rate;
+  header.block = loaded_.rig.engine.block;
+  header.channels = loaded_.rig.engine.channels;
+  const audio::SampleFormat granted = card().format;
+  header.format = granted != audio::SampleFormat::kAuto ? granted : loaded_.rig.audio.format;
+  return header;
+}
+
+}  // namespace rigsound::daemon

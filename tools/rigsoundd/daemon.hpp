@@ -1,0 +1,78 @@
+// The whole daemon: threads, sound, buses, sessions, control.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "audio_thread.hpp"
+#include "commands.hpp"
+#include "feed.hpp"
+#include "line_server.hpp"
+#include "loaded_rig.hpp"
+#include "recorder.hpp"
+#include "rigsound/audio/alsa_sink.hpp"
+#include "rigsound/audio/null_sink.hpp"
+#include "service_manager.hpp"
+#include "state_exchange.hpp"
+
+namespace rigsound::daemon {
+
+struct DaemonOptions {
+  std::string rig;
+  RecorderOptions session;
+};
+
+/// Thread: main, all of it; construct with the signals of `signals` blocked in every thread.
+class Daemon : private Commanded {
+ public:
+  /// Errors: InputError for the rig, DeviceError for the control socket. A missing card or bus is none.
+  explicit Daemon(const DaemonOptions& options);
+  ~Daemon() override;
+
+  /// Until SIGTERM or SIGINT, read from `signals` (a signalfd); then the sound fades out.
+  void run(int signals);
+
+ private:
+  Snapshot snapshot() const override;
+  ReloadResult reload() override;
+  void mute(bool muted) override;
+  std::vector<std::string> boom_names() const override;
+  DrillControls controls(int boom) const override { return exchange_.controls(boom); }
+  void set_controls(int boom, const DrillControls& controls) override {
+    exchange_.set_controls(boom, controls);
+  }
+
+  void open_sockets();
+  void start_feeds();
+  void tend();
+  void tend_session(double now_s);
+  void report_card();
+  void handle_signals(int signals);
+  void new_run(LoadedRig next);
+  log::SessionHeader session_header() const;
+  audio::CardStatus card() const;
+  std::vector<SignalSnapshot> signal_snapshots() const;
+
+  LoadedRig loaded_;
+  StateExchange exchange_;
+  audio::MonotonicClock clock_;
+  audio::AlsaSink* card_ = nullptr;  // sink_, when there is a card at all
+  std::unique_ptr<audio::Sink> sink_;
+  AudioThread audio_;
+  Recorder recorder_;
+  std::vector<std::unique_ptr<Feed>> feeds_;
+  std::vector<LineServer> servers_;
+  ServiceManager service_;
+  audio::CardStatus reported_;
+  double start_s_, next_tend_s_ = 0, silent_since_s_ = 0;
+  std::uint64_t reloads_ = 0, failed_reloads_ = 0;
+  bool stop_ = false;
+  std::atomic<bool> ticking_{true};
+  std::thread ticker_;  // last: keeps fades and ages going while main is busy
+};
+
+}  // namespace rigsound::daemon

@@ -1,0 +1,30 @@
+// A rig read from disk, with the engine built from it: all that a start or a reload needs to succeed.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "rigsound/config/rig.hpp"
+#include "rigsound/engine.hpp"
+
+namespace rigsound::daemon {
+
+struct LoadedRig {
+  config::Rig rig;
+  std::unique_ptr<Engine> engine;
+  std::string fingerprint;
+};
+
+/// Errors: InputError. Thread: CT.
+LoadedRig load(const std::filesystem::path& file);
+
+/// A fresh engine for a rig already read; its sounds are read again. Errors: InputError. Thread: CT.
+LoadedRig build(config::Rig rig);
+
+/// The same as load() for a daemon that runs `running`: what only a restart can change keeps its running
+/// value and is listed in `not_applied`, `KEY: OLD, wanted NEW`. Errors: InputError. Thread: CT.
+LoadedRig load_for_reload(const config::Rig& running, std::vector<std::string>& not_applied);
+
+}  // namespace rigsound::daemon

@@ -1,0 +1,82 @@
+#include "recorder.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include "rigsound/device_error.hpp"
+
+namespace rigsound::daemon {
+namespace {
+
+constexpr int kOlderSessions = 3;
+constexpr double kFlush_s = 0.5;
+
+}  // namespace
+
+Recorder::Recorder(RecorderOptions options, RunQueue& records, const AudioFigures& figures)
+    : options_(std::move(options)), records_(records), figures_(figures) {}
+
+void Recorder::give_up(const std::string& why) {
+  problem_ = why;
+  writer_.reset();
+  spdlog::error("{}; the sound goes on, this run is no longer recorded", why);
+}
+
+void Recorder::begin(std::uint32_t run) {
+  run_ = run;
+  problem_.clear();
+  lost_at_begin_ = figures_.lost_records.load(std::memory_order_relaxed);
+  writer_.reset();
+  if (options_.file.empty()) return;
+  try {
+    log::shift_older_sessions(options_.file, kOlderSessions);
+    writer_ = std::make_unique<log::SessionWriter>(options_.file, header_);
+    spdlog::info("session: {}", options_.file.string());
+  } catch (const DeviceError& error) {
+    give_up(error.what());
+  }
+}
+
+void Recorder::take(const RunRecord& record) {
+  if (record.kind == RunRecord::Kind::kChange && record.block == 0) begin(record.run);
+  if (!writer_ || run_ != record.run) return;
+  if (record.kind == RunRecord::Kind::kChange) return writer_->add(record.block, record.state);
+  if (!broken()) writer_->flush(record.block);
+  writer_.reset();
+}
+
+bool Recorder::broken() const {
+  return figures_.lost_records.load(std::memory_order_relaxed) != lost_at_begin_;
+}
+
+void Recorder::drain() {
+  RunRecord record;
+  try {
+    while (records_.try_dequeue(record)) take(record);
+  } catch (const DeviceError& error) {
+    give_up(error.what());
+  }
+}
+
+// The blocks counted before the queue is emptied are all told by what was in it.
+void Recorder::tend(double now_s) {
+  const std::uint32_t run = figures_.run.load(std::memory_order_acquire);
+  const std::uint64_t blocks = figures_.run_blocks.load(std::memory_order_acquire);
+  drain();
+  if (!writer_ || run_ != run || broken() || blocks == 0 || now_s < next_flush_s_) return;
+  next_flush_s_ = now_s + kFlush_s;
+  try {
+    writer_->flush(blocks);
+  } catch (const DeviceError& error) {
+    give_up(error.what());
+  }
+}
+
+void Recorder::finish() { drain(); }
+
+bool Recorder::wants_new_run(bool soon) const {
+  if (!writer_) return false;
+  const std::uint64_t share = options_.limit_bytes / (kOlderSessions + 1);
+  return broken() || writer_->bytes() > (soon ? share / 2 : share);
+}
+
+}  // namespace rigsound::daemon

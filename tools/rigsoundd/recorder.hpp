@@ -1,0 +1,60 @@
+// Writes sessions while the daemon runs; whatever happens to them, the sound goes on.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "audio_figures.hpp"
+#include "rigsound/log/session_writer.hpp"
+#include "run_record.hpp"
+
+namespace rigsound::daemon {
+
+struct RecorderOptions {
+  std::filesystem::path file;             ///< empty: nothing is recorded
+  std::uint64_t limit_bytes = 256 << 20;  ///< of all session files together
+};
+
+/// Each run is one file; older ones move up to NAME.1, NAME.2, NAME.3. Thread: CT, one at a time.
+class Recorder {
+ public:
+  Recorder(RecorderOptions options, RunQueue& records, const AudioFigures& figures);
+
+  /// What the next run is rendered with; must be told before it begins.
+  void expect_run(const log::SessionHeader& header) { header_ = header; }
+
+  /// Takes what the audio thread left; at least once a second it is handed to the kernel.
+  void tend(double now_s);
+  void finish();  ///< takes the rest; the audio thread must have stopped
+
+  /// The file is at its share of the limit (soon: at half of it), or has lost a record: a new run is due.
+  bool wants_new_run(bool soon) const;
+
+  void give_up(const std::string& why);  ///< this run is recorded no further
+
+  bool recording() const { return writer_ != nullptr; }
+  const std::string& problem() const { return problem_; }
+  std::uint64_t bytes() const { return writer_ ? writer_->bytes() : 0; }
+  const RecorderOptions& options() const { return options_; }
+
+ private:
+  void take(const RunRecord& record);
+  void begin(std::uint32_t run);
+  void drain();
+  bool broken() const;  // a change of state of this run was lost
+
+  RecorderOptions options_;
+  RunQueue& records_;
+  const AudioFigures& figures_;
+  log::SessionHeader header_;
+  std::unique_ptr<log::SessionWriter> writer_;
+  std::optional<std::uint32_t> run_;
+  std::uint64_t lost_at_begin_ = 0;
+  double next_flush_s_ = 0;
+  std::string problem_;
+};
+
+}  // namespace rigsound::daemon

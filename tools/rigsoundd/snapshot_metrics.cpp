@@ -1,0 +1,112 @@
+// OpenMetrics 1.0: families in turn, counters end in _total, base units, `# EOF` at the end.
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "snapshot.hpp"
+
+namespace rigsound::daemon {
+namespace {
+
+constexpr const char* kEventNames[audio::kCardEventCount] = {"xruns",        "suspends",      "bad_states",
+                                                             "short_writes", "interruptions", "card_losses"};
+constexpr const char* kStates[] = {"never_seen",  "valid",         "stale",       "bus_down",
+                                   "error_value", "not_available", "out_of_range"};
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '\\' || c == '"') out.push_back('\\');
+    out.append(c == '\n' ? "\\n" : std::string(1, c));
+  }
+  return out;
+}
+
+class Page {
+ public:
+  void family(const char* name, const char* type, const char* help, const char* unit = "") {
+    fmt::format_to(out(), "# TYPE rigsound_{} {}\n", name, type);
+    if (*unit != 0) fmt::format_to(out(), "# UNIT rigsound_{} {}\n", name, unit);
+    fmt::format_to(out(), "# HELP rigsound_{} {}\n", name, help);
+  }
+  template <typename Number>
+  void sample(const std::string& name, const std::string& labels, Number value) {
+    fmt::format_to(out(), "rigsound_{}{} {}\n", name, labels.empty() ? "" : "{" + labels + "}", value);
+  }
+  template <typename Number>
+  void counter(const char* name, Number value, const char* help) {
+    family(name, "counter", help);
+    sample(std::string(name) + "_total", "", value);
+  }
+  void gauge(const char* name, double value, const char* help, const char* unit = "") {
+    family(name, "gauge", help, unit);
+    sample(name, "", value);
+  }
+  std::string finish() { return text_ + "# EOF\n"; }
+
+ private:
+  std::back_insert_iterator<std::string> out() { return std::back_inserter(text_); }
+  std::string text_;
+};
+
+void add_audio(Page& page, const Snapshot& s) {
+  page.counter("blocks", s.blocks, "Blocks rendered.");
+  for (std::size_t i = 0; i < s.card.events.size(); ++i)
+    page.counter(kEventNames[i], s.card.events[i], "Events of this kind on the sound card.");
+  page.counter("deadline_misses", s.deadline_misses, "Blocks that took longer to compute than to play.");
+  page.gauge("card_playing", s.card.playing ? 1 : 0, "1 while a sound card is open.");
+  page.gauge("block_time_mean_seconds", s.block_mean_s, "Time to compute a block, mean.", "seconds");
+  page.gauge("block_time_worst_seconds", s.block_worst_s, "Time to compute a block, worst.", "seconds");
+  page.gauge("limiter_gain_ratio", s.limiter_gain, "Lowest limiter gain of the last block.", "ratio");
+  page.gauge("peak_ratio", s.peak, "Peak of the last block, full scale 1.", "ratio");
+  page.gauge("rms_ratio", s.rms, "RMS of the last block, full scale 1.", "ratio");
+  page.gauge("output_gain_ratio", s.output_gain, "Safety rules, mute and fades together.", "ratio");
+}
+
+// One family per counter name, one sample per bus that has it.
+void add_buses(Page& page, const Snapshot& s) {
+  page.family("bus_up", "gauge", "1 while the bus delivers.");
+  for (const FeedStatus& bus : s.buses)
+    page.sample("bus_up", "bus=\"" + escaped(bus.name) + "\"", bus.up ? 1 : 0);
+  for (const char* name : {"frames_seen", "frames_used", "frames_bad", "frames_dropped", "requests_refused",
+                           "connections_refused", "losses"}) {
+    const std::string family = std::string("bus_") + name;
+    page.family(family.c_str(), "counter", "What came over the bus.");
+    for (const FeedStatus& bus : s.buses)
+      for (const auto& [counter, value] : bus.counters)
+        if (counter == name) page.sample(family + "_total", "bus=\"" + escaped(bus.name) + "\"", value);
+  }
+}
+
+void add_signals(Page& page, const Snapshot& s) {
+  page.family("signal_age_seconds", "gauge", "Time since the signal was last good.", "seconds");
+  for (const SignalSnapshot& signal : s.signals)
+    if (signal.age_s >= 0)
+      page.sample("signal_age_seconds", "signal=\"" + escaped(signal.name) + "\"", signal.age_s);
+  page.family("signal_value", "gauge", "What the engine is told, in the signal's unit.");
+  for (const SignalSnapshot& signal : s.signals)
+    page.sample("signal_value", "signal=\"" + escaped(signal.name) + "\"", signal.value);
+  page.family("signal_state", "stateset", "Whether the signal may be believed.");
+  for (const SignalSnapshot& signal : s.signals)
+    for (const char* state : kStates)
+      page.sample("signal_state",
+                  fmt::format("signal=\"{}\",rigsound_signal_state=\"{}\"", escaped(signal.name), state),
+                  signal.validity == state ? 1 : 0);
+}
+
+}  // namespace
+
+std::string to_openmetrics(const Snapshot& s) {
+  Page page;
+  add_audio(page, s);
+  add_buses(page, s);
+  add_signals(page, s);
+  page.counter("lost_log_entries", s.lost_log_entries,
+               "Log entries dropped because the log could not keep up.");
+  page.counter("lost_session_records", s.lost_records, "Changes of state that a session could not keep.");
+  page.counter("reloads", s.reloads, "Successful reloads.");
+  page.counter("failed_reloads", s.failed_reloads, "Reloads refused; the old rig went on.");
+  return page.finish();
+}
+
+}  // namespace rigsound::daemon
