@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "rigsound/audio/sample_format.hpp"
 #include "rigsound/device_error.hpp"
 
 namespace rigsound::audio {
@@ -13,11 +14,24 @@ constexpr std::uint64_t kMostBytes = 0xFFFF0000;  // sizes in a WAV file have 32
   throw DeviceError(path.string() + ": cannot be written: " + why);
 }
 
+int subtype(SampleFormat samples) {
+  switch (samples) {
+    case SampleFormat::kS32:
+      return SF_FORMAT_PCM_32;
+    case SampleFormat::kS24_3:
+      return SF_FORMAT_PCM_24;
+    case SampleFormat::kS16:
+      return SF_FORMAT_PCM_16;
+    default:
+      return SF_FORMAT_FLOAT;
+  }
+}
+
 SNDFILE* open(const AtomicFile& file, const std::filesystem::path& path, const WavSink::Format& format) {
   SF_INFO info{};
   info.samplerate = format.rate;
   info.channels = format.channels;
-  info.format = SF_FORMAT_WAV | SF_FORMAT_FLOAT;
+  info.format = SF_FORMAT_WAV | subtype(format.samples);
   SNDFILE* sound = sf_open(file.temporary().c_str(), SFM_WRITE, &info);
   if (sound == nullptr) fail(path, sf_strerror(nullptr));
   sf_command(sound, SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);  // it carries the time of writing
@@ -30,15 +44,17 @@ WavSink::WavSink(const std::filesystem::path& file, const Format& format, Tap ta
     : path_(file),
       format_(format),
       tap_(std::move(tap)),
+      bytes_(static_cast<std::size_t>(format.block * format.channels) * bytes_per_sample(format.samples)),
       file_(file),
       sound_(open(file_, path_, format), sf_close) {}
 
 void WavSink::write(const float* block, std::uint64_t number) {
-  const std::size_t bytes = sizeof(float) * static_cast<std::size_t>(format_.block * format_.channels);
-  if ((number + 1) * bytes > kMostBytes) fail(path_, "a WAV file ends at 4 GB");
-  if (sf_writef_float(sound_.get(), block, format_.block) != format_.block)
-    fail(path_, sf_strerror(sound_.get()));
-  if (tap_) tap_(block, bytes);
+  const auto samples = static_cast<std::size_t>(format_.block * format_.channels);
+  if ((number + 1) * bytes_.size() > kMostBytes) fail(path_, "a WAV file ends at 4 GB");
+  convert(block, samples, number * samples, format_.samples, bytes_.data());
+  const auto size = static_cast<sf_count_t>(bytes_.size());
+  if (sf_write_raw(sound_.get(), bytes_.data(), size) != size) fail(path_, sf_strerror(sound_.get()));
+  if (tap_) tap_(bytes_.data(), bytes_.size());
 }
 
 void WavSink::commit() {

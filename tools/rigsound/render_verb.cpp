@@ -5,8 +5,11 @@
 
 #include "log_notes.hpp"
 #include "rigsound/audio/wav_sink.hpp"
+#include "rigsound/config/fingerprint.hpp"
 #include "rigsound/config/rig.hpp"
+#include "rigsound/input_error.hpp"
 #include "rigsound/log/log_states.hpp"
+#include "rigsound/log/session_states.hpp"
 #include "sha256.hpp"
 #include "verbs.hpp"
 
@@ -14,33 +17,57 @@ namespace rigsound::tools {
 namespace {
 
 struct Options {
-  std::string rig, log, out;
+  std::string rig, log, session, out;
   std::optional<std::uint64_t> seed;
 };
 
-audio::WavSink::Format format_of(const EngineOptions& options) {
-  return {static_cast<int>(options.sample_rate), options.channels, options.block};
-}
-
-void render(const Options& options) {
-  config::Rig rig = config::load_rig(options.rig);
-  require_can(rig);
-  if (options.seed) rig.engine.seed = *options.seed;
-  log::CanLog log(options.log, rig.can);
-  log::LogStates states(log, rig.safety, rig.engine);
-  SoundSet sounds = config::load_sounds(rig);
-  Engine engine(rig.engine, std::move(sounds));
-
+/// Renders the whole source into OUT and prints the figures.
+void render(const config::Rig& rig, Engine engine, audio::StateSource& states, audio::SampleFormat samples,
+            const std::string& out) {
   Sha256 digest;
-  audio::WavSink sink(options.out, format_of(rig.engine),
-                      [&](const void* bytes, std::size_t size) { digest.update(bytes, size); });
+  const audio::WavSink::Format format{static_cast<int>(rig.engine.sample_rate), rig.engine.channels,
+                                      rig.engine.block, samples};
+  audio::WavSink sink(out, format, [&](const void* bytes, std::size_t size) { digest.update(bytes, size); });
   const auto start = std::chrono::steady_clock::now();
   const std::uint64_t blocks = audio::run_blocks(engine, states, sink);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   sink.commit();
   const double length_s = static_cast<double>(blocks) * rig.engine.block / rig.engine.sample_rate;
   fmt::print("sha256 {}\nrealtime_factor {:.2f}\n", digest.hex(), length_s / spent.count());
+}
+
+Engine build_engine(config::Rig& rig) {
+  SoundSet sounds = config::load_sounds(rig);
+  return {rig.engine, std::move(sounds)};
+}
+
+void render_log(const Options& options) {
+  config::Rig rig = config::load_rig(options.rig);
+  require_can(rig);
+  if (options.seed) rig.engine.seed = *options.seed;
+  log::CanLog log(options.log, rig.can);
+  log::LogStates states(log, rig.safety, rig.engine);
+  render(rig, build_engine(rig), states, audio::SampleFormat::kFloat, options.out);
   print_log_notes(options.log, log);
+}
+
+/// What the session was rendered with counts; the rest must be what it was.
+void render_session(const Options& options) {
+  config::Rig rig = config::load_rig(options.rig);
+  log::SessionStates states(options.session);
+  const log::SessionHeader& header = states.header();
+  rig.engine.seed = header.seed;
+  rig.engine.sample_rate = header.sample_rate;
+  rig.engine.block = header.block;
+  rig.engine.channels = header.channels;
+  const std::string fingerprint = config::fingerprint(rig);
+  if (fingerprint != header.fingerprint)
+    throw InputError(options.session, "was played with another rig or sound set (" + header.fingerprint +
+                                          "), expected that of " + options.rig + " (" + fingerprint + ")");
+  render(rig, build_engine(rig), states, header.format, options.out);
+  if (states.bytes_ignored() > 0)
+    fmt::print(stderr, "{}: the last {} bytes are not whole and were left out\n", options.session,
+               states.bytes_ignored());
 }
 
 }  // namespace
@@ -50,10 +77,16 @@ void add_render(CLI::App& app) {
       app.add_subcommand("render", "Renders a recorded bus offline: the same input gives the same bits.");
   auto options = std::make_shared<Options>();
   verb->add_option("RIG.toml", options->rig, "the rig")->required();
-  verb->add_option("--log", options->log, "CAN log as candump -l writes it")->required();
-  verb->add_option("--out", options->out, "WAV file to write, 32 bit float")->required();
-  verb->add_option("--seed", options->seed, "instead of the rig's seed");
-  verb->callback([options] { render(*options); });
+  CLI::Option_group* source = verb->add_option_group("source");
+  source->add_option("--log", options->log, "CAN log as candump -l writes it");
+  source->add_option("--session", options->session,
+                     "what rigsoundd --session wrote: the very samples it played");
+  source->require_option(1);
+  verb->add_option("--out", options->out,
+                   "WAV file to write: 32 bit float, or the format of the session's card")
+      ->required();
+  verb->add_option("--seed", options->seed, "instead of the rig's seed; a session has its own");
+  verb->callback([options] { options->session.empty() ? render_log(*options) : render_session(*options); });
   verb->footer(
       "Prints `sha256 HEX` of the PCM bytes in the WAV's data chunk, then `realtime_factor X`: seconds of "
       "sound\n"
