@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "clicks/candidates.hpp"
 #include "clicks/click_fit.hpp"
 #include "clicks/drilling_test.hpp"
@@ -7,6 +9,7 @@
 #include "clicks/whitening.hpp"
 #include "clip_split.hpp"
 #include "denoise/cs_nmf.hpp"
+#include "denoise/divergence.hpp"
 #include "denoise/initial_nmf.hpp"
 #include "denoise/stft.hpp"
 #include "denoise/wiener.hpp"
@@ -15,6 +18,7 @@ namespace rigsound::analysis {
 namespace {
 
 constexpr int kCsIterations[] = {90, 225};  // first pass, second pass
+constexpr size_t kFewestClicks = 4;         // for a fit
 
 struct MeanPsd {
   Eigen::ArrayXd S, N;
@@ -24,7 +28,14 @@ MeanPsd mean_over_time(const PsdPair& psd) {
   return {psd.S.cast<double>().rowwise().mean(), psd.N.cast<double>().rowwise().mean()};
 }
 
-void dump_train(const Dump& dump, const std::string& pass, const ClickTrain& train) {
+void dump_look(const Dump& dump, const std::string& pass, const Eigen::ArrayXd& y,
+               const Candidates& candidates, const ClickTrain& train) {
+  dump.signal(pass + "_whitened", y);
+  Eigen::ArrayXXd z(candidates.z.size(), 2);
+  z.col(0) = Eigen::ArrayXd::LinSpaced(z.rows(), 0, static_cast<double>(z.rows() - 1)) * kCandidateBlock /
+             kAnalysisRate;
+  z.col(1) = candidates.z;
+  dump.table(pass + "_statistic", "time_s,z", z);
   Eigen::ArrayXXd clicks(train.P.size(), 2);
   for (long i = 0; i < clicks.rows(); ++i) clicks.row(i) << train.P[i] / kAnalysisRate, train.beta[i];
   dump.table(pass + "_clicks", "time_s,beta", clicks);
@@ -33,33 +44,41 @@ void dump_train(const Dump& dump, const std::string& pass, const ClickTrain& tra
   dump.table(pass + "_envelope", "N_a,alpha_a,alpha_d,T_0", envelope);
 }
 
-void dump_statistic(const Dump& dump, const std::string& pass, const Candidates& candidates) {
-  Eigen::ArrayXXd z(candidates.z.size(), 2);
-  z.col(0) = Eigen::ArrayXd::LinSpaced(z.rows(), 0, static_cast<double>(z.rows() - 1)) * kCandidateBlock /
-             kAnalysisRate;
-  z.col(1) = candidates.z;
-  dump.table(pass + "_statistic", "time_s,z", z);
+/// Steps 2 to 5: one look for clicks through the whitener that the modelled powers suggest.
+DrillingEvidence look(const std::vector<float>& x, const MeanPsd& psd, const std::string& pass,
+                      const Dump& dump) {
+  const Eigen::ArrayXd A = noise_aware_whitener(psd.S, psd.N), y = whiten(x, A);
+  const Candidates candidates = find_candidates(y);
+  const Selection selection = select_clicks(candidates, kDrillingRates);
+  DrillingEvidence evidence;
+  if (selection.block.size() >= kFewestClicks) evidence.clicks = fit_clicks(y, candidates, selection);
+  evidence.z = selection.mean_z * std::sqrt(noise_bandwidth(A, psd.N));
+  evidence.total = selection.total;
+  evidence.fast_total = fast_total(candidates);
+  dump_look(dump, pass, y, candidates, evidence.clicks);
+  return evidence;
 }
 
-/// Steps 2 to 5: one look for clicks through the whitener that the modelled powers suggest.
-ClickTrain detect(const std::vector<float>& x, const MeanPsd& psd, const std::string& pass, const Dump& dump,
-                  std::string& reason) {
-  const Eigen::ArrayXd y = whiten(x, noise_aware_whitener(psd.S, psd.N));
-  const Candidates candidates = find_candidates(y);
-  const Selection selection = select_clicks(candidates);
-  reason = no_drilling_reason(selection);
-  const ClickTrain train = reason.empty() ? fit_clicks(y, candidates, selection) : ClickTrain{};
-  dump.signal(pass + "_whitened", y);
-  dump_statistic(dump, pass, candidates);
-  dump_train(dump, pass, train);
-  return train;
+/// Step 6, and what it says about the clicks.
+Factors explain(const PowerSpectrogram& power, int iterations, DrillingEvidence& evidence) {
+  CsNmfOptions options;
+  options.iterations = iterations;
+  const Factors factors = cs_nmf(power, evidence.clicks, options);
+  const Eigen::ArrayXf near = frames_near_clicks(evidence.clicks, power.frames);
+  evidence.background_alone = mean_divergence(power, background_nmf(power), near);
+  evidence.with_clicks = mean_divergence(power, factors, near);
+  return factors;
 }
 
 ClipSplit split_without_denoising(const std::vector<float>& x, const Dump& dump) {
+  const PowerSpectrogram power = power_spectrogram(stft(x, kChainStft));
   ClipSplit split;
-  split.signal_psd = stft(x, kChainStft).abs2().cast<double>().rowwise().mean();
+  split.signal_psd = power.P.leftCols(power.frames).cast<double>().rowwise().mean() * power.scale;
   split.noise_psd = Eigen::ArrayXd::Zero(split.signal_psd.size());
-  split.clicks = detect(x, {split.signal_psd, split.noise_psd}, "only", dump, split.reason);
+  DrillingEvidence evidence = look(x, {split.signal_psd, split.noise_psd}, "only", dump);
+  if (evidence.clicks.P.size() >= kFewestClicks) explain(power, kCsIterations[0], evidence);
+  split.reason = no_drilling_reason(evidence);
+  split.clicks = std::move(evidence.clicks);
   split.drilling = x;
   return split;
 }
@@ -72,15 +91,18 @@ ClipSplit split_by_click_nmf(const std::vector<float>& x, const ChainOptions& op
   const PowerSpectrogram power = power_spectrogram(X);
   InitialNmfOptions initial;
   initial.seed = options.seed;
-  PsdPair psd = modelled_psd(initial_nmf(power, initial), power);
+  const PsdPair blind = modelled_psd(initial_nmf(power, initial), power);
+  PsdPair psd = blind;
   ClipSplit split;
   for (int pass = 0; pass < 2; ++pass) {
-    split.clicks = detect(x, mean_over_time(psd), fmt::format("pass{}", pass + 1), dump, split.reason);
-    if (!split.reason.empty()) break;
-    CsNmfOptions cs;
-    cs.iterations = kCsIterations[pass];
-    psd = modelled_psd(cs_nmf(power, split.clicks, cs), power);
+    DrillingEvidence evidence = look(x, mean_over_time(psd), fmt::format("pass{}", pass + 1), dump);
+    if (evidence.clicks.P.size() >= kFewestClicks)
+      psd = modelled_psd(explain(power, kCsIterations[pass], evidence), power);
+    split.reason = no_drilling_reason(evidence);
+    split.clicks = std::move(evidence.clicks);
+    if (split.clicks.P.size() < kFewestClicks) break;
   }
+  if (!split.reason.empty()) psd = blind;
   split.drilling = inverse_stft(wiener(X, psd), x.size(), kChainStft);
   const MeanPsd mean = mean_over_time(psd);
   split.signal_psd = mean.S;

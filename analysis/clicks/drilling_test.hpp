@@ -1,18 +1,35 @@
 // Is there a percussive drill in this recording at all?
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 
 #include "clicks/selection.hpp"
+#include "denoise/power.hpp"
 #include "rigsound/analysis/click_train.hpp"
 
 namespace rigsound::analysis {
 
-/// Why the selected clicks are no drilling, or nothing when they may be. Thread: OFF.
-std::string no_drilling_reason(const Selection& selection);
+/// What the clicks found in a recording look like.
+struct DrillingEvidence {
+  ClickTrain clicks;
+  double z = 0;                 ///< mean detection statistic of the selected clicks, in independent samples
+  double total = 0;             ///< of the selected chain
+  double fast_total = 0;        ///< of the best chain faster than any drill
+  double background_alone = 0;  ///< divergence per cell that a slow background leaves
+  double with_clicks = 0;       ///< divergence per cell with the click train's words
+};
 
-/// The same for clicks found another way: each is given the largest statistic nearer to it than to its
-/// neighbours. Thread: OFF.
-std::string no_drilling_reason(const Candidates& candidates, const ClickTrain& train);
+/// Why this is no drilling, or nothing when it may be. Silence and noise have no clicks that stand out; a
+/// swell (a rotary drill, beating tones) has no sharp rise; a voice or an instrument pulses faster than a
+/// drill or is not explained by one click spectrum repeated at the clicks' times. Thread: OFF.
+std::string no_drilling_reason(const DrillingEvidence& evidence);
+
+/// Total of the best chain at 100 to 400 Hz. Thread: OFF.
+double fast_total(const Candidates& candidates);
+
+/// 1 in the frames of kChainStft from half a period before a click to two periods after, 0 elsewhere: pauses
+/// say nothing about the clicks. Thread: OFF.
+Eigen::ArrayXf frames_near_clicks(const ClickTrain& train, int frames);
 
 }  // namespace rigsound::analysis

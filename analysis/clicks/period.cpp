@@ -10,8 +10,7 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr double kSpread = 0.06;        ///< of the lag
-constexpr double kShortestLag_hz = 85;  ///< lags searched for peaks; hypotheses reach a little further
+constexpr double kSpread = 0.06;  ///< of the lag
 constexpr int kPeaks = 4;
 
 /// Unbiased autocorrelation over r(0), lags 0 … last.
@@ -36,9 +35,10 @@ Eigen::ArrayXd averaged_over_spread(const Eigen::ArrayXd& r, long first, long la
 
 }  // namespace
 
-std::vector<int> period_hypotheses(const Eigen::ArrayXd& activity, double block_rate) {
-  const long first = static_cast<long>(block_rate / kShortestLag_hz);
-  const long last = std::min(static_cast<long>(block_rate / kMinRate_hz), activity.size() / 3);
+std::vector<int> period_hypotheses(const Eigen::ArrayXd& activity, double block_rate,
+                                   const RateRange& range) {
+  const long first = static_cast<long>(block_rate / range.fastest_hz);
+  const long last = std::min(static_cast<long>(block_rate / range.slowest_hz), activity.size() / 3);
   if (last < first + 3) return {};
   const long furthest = static_cast<long>(static_cast<double>(last) * (1 + kSpread)) + 1;
   const Eigen::ArrayXd mean = averaged_over_spread(autocorrelation(activity, furthest), first, last);
@@ -54,7 +54,7 @@ std::vector<int> period_hypotheses(const Eigen::ArrayXd& activity, double block_
   for (const int lag : lags)
     for (const double octave : {0.5, 1.0, 2.0}) {
       const double period = octave * static_cast<double>(lag + first);
-      if (block_rate / period >= kMinRate_hz && block_rate / period <= kMaxRate_hz)
+      if (block_rate / period >= range.slowest_hz && block_rate / period <= range.fastest_hz)
         periods.insert(static_cast<int>(std::lround(period)));
     }
   return {periods.begin(), periods.end()};

@@ -6,11 +6,15 @@
 
 namespace rigsound::analysis {
 
-constexpr double kMinRate_hz = 6, kMaxRate_hz = 90;
+struct RateRange {
+  double slowest_hz = 0, fastest_hz = 0;
+};
+
+constexpr RateRange kDrillingRates{6, 90};
 
 /// Periods (in blocks of `block_rate` Hz) worth trying: the four highest peaks of the unbiased
 /// autocorrelation of `activity`, averaged over +-6 % of the lag so that jittered gaps merge, each also
-/// halved and doubled, within kMinRate_hz … kMaxRate_hz. Ascending. Thread: OFF.
-std::vector<int> period_hypotheses(const Eigen::ArrayXd& activity, double block_rate);
+/// halved and doubled, within `range`. Ascending. Thread: OFF.
+std::vector<int> period_hypotheses(const Eigen::ArrayXd& activity, double block_rate, const RateRange& range);
 
 }  // namespace rigsound::analysis

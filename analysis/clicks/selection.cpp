@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "clicks/gaps.hpp"
-#include "clicks/period.hpp"
 #include "rigsound/analysis/chain.hpp"
 
 namespace rigsound::analysis {
@@ -101,13 +100,13 @@ Chain best_chain(const std::vector<int>& time, const std::vector<double>& score,
   return chain;
 }
 
-Selection select_clicks(const Candidates& candidates) {
+Selection select_clicks(const Candidates& candidates, const RateRange& range) {
   Selection selection;
   if (candidates.block.size() < 4) return selection;
   const double reference = reference_statistic(candidates);
   const std::vector<double> score = scores(candidates, reference);
   selection.total = -kInfinite;
-  for (const int T : period_hypotheses(candidates.z.min(reference), kBlockRate)) {
+  for (const int T : period_hypotheses(candidates.z.min(reference), kBlockRate, range)) {
     Chain chain = best_chain(candidates.block, score, T, candidates.z.size());
     if (chain.chosen.size() > 3) {
       const double refined = median_gap(blocks_of(candidates, chain));

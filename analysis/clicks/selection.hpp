@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "clicks/candidates.hpp"
+#include "clicks/period.hpp"
 
 namespace rigsound::analysis {
 
@@ -28,7 +29,7 @@ struct Selection {
   double mean_z = 0;       ///< detection statistic, mean over the clicks
 };
 
-/// Tries every period hypothesis and keeps the chain of the largest total. Thread: OFF.
-Selection select_clicks(const Candidates& candidates);
+/// Tries every period hypothesis within `range` and keeps the chain of the largest total. Thread: OFF.
+Selection select_clicks(const Candidates& candidates, const RateRange& range);
 
 }  // namespace rigsound::analysis

@@ -55,6 +55,18 @@ Eigen::ArrayXd noise_aware_whitener(const Eigen::ArrayXd& S, const Eigen::ArrayX
   return levinson(r);
 }
 
+double noise_bandwidth(const Eigen::ArrayXd& A, const Eigen::ArrayXd& N) {
+  Eigen::FFT<double> fft;
+  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+  Eigen::VectorXd taps = Eigen::VectorXd::Zero(2 * (N.size() - 1));
+  taps.head(A.size()) = A.matrix();
+  Eigen::VectorXcd response;
+  fft.fwd(response, taps);
+  const Eigen::ArrayXd power = N * response.array().abs2();
+  if (power.sum() <= 0) return 1;
+  return power.sum() * power.sum() / (static_cast<double>(power.size()) * power.square().sum());
+}
+
 Eigen::ArrayXd lpc_whitener(const std::vector<float>& x, int order) {
   const Eigen::ArrayXd signal =
       Eigen::Map<const Eigen::ArrayXf>(x.data(), static_cast<long>(x.size())).cast<double>();

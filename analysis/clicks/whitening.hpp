@@ -12,6 +12,10 @@ namespace rigsound::analysis {
 /// would amplify its residue again. Thread: OFF.
 Eigen::ArrayXd noise_aware_whitener(const Eigen::ArrayXd& S, const Eigen::ArrayXd& N);
 
+/// Share of the band that the background still fills behind the whitener, (sum g)^2 / (M sum g^2) with g = N
+/// |A|^2: of the samples of a stretch of noise only this share is independent. 1 for N = 0. Thread: OFF.
+double noise_bandwidth(const Eigen::ArrayXd& A, const Eigen::ArrayXd& N);
+
 /// Prediction-error filter of `order` from the signal's own autocorrelation (drilling paper, 3.1). Thread:
 /// OFF.
 Eigen::ArrayXd lpc_whitener(const std::vector<float>& x, int order);

@@ -11,6 +11,7 @@ namespace rigsound::analysis {
 namespace {
 
 constexpr double kSecondsPerKnot = 2;
+constexpr int kBackgroundIterations = 30;
 constexpr float kWordFloor = 1e-10f;
 
 int noise_knots(int frames) {
@@ -35,6 +36,20 @@ Factors cs_nmf(const PowerSpectrogram& power, const ClickTrain& train, const CsN
     f.W.row(m).head(kDecayCount) = std::max(mean - noise(m), 0.1f * mean) / kDecayCount;
     f.W.row(m).tail(knots) = noise(m);
     is_kernels().fit_bin(power.P.row(m).data(), H, f.W.row(m).data(), options.iterations, 1.0f, kWordFloor);
+  }
+  return f;
+}
+
+Factors background_nmf(const PowerSpectrogram& power) {
+  const int knots = noise_knots(power.frames);
+  Factors f;
+  f.H = hats(knots, power.frames, power.padded());
+  f.W = Grid(power.bins(), knots);
+  const Activations H{f.H.data(), knots, power.padded()};
+  for (int m = 0; m < power.bins(); ++m) {
+    f.W.row(m) = power.P.row(m).head(power.frames).mean();
+    is_kernels().fit_bin(power.P.row(m).data(), H, f.W.row(m).data(), kBackgroundIterations, 1.0f,
+                         kWordFloor);
   }
   return f;
 }

@@ -17,4 +17,7 @@ struct CsNmfOptions {
 /// OFF.
 Factors cs_nmf(const PowerSpectrogram& power, const ClickTrain& train, const CsNmfOptions& options);
 
+/// The same without any clicks: a slow background alone. Thread: OFF.
+Factors background_nmf(const PowerSpectrogram& power);
+
 }  // namespace rigsound::analysis

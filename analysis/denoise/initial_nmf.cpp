@@ -77,11 +77,4 @@ Factors initial_nmf(const PowerSpectrogram& power, const InitialNmfOptions& opti
   return f;
 }
 
-double itakura_saito(const PowerSpectrogram& power, const Factors& f) {
-  const PsdPair psd = modelled_psd(f, power);
-  const Grid ratio =
-      power.P.leftCols(power.frames) / ((psd.S + psd.N) / static_cast<float>(power.scale)).max(1e-12f);
-  return (ratio - ratio.log() - 1).cast<double>().sum();
-}
-
 }  // namespace rigsound::analysis

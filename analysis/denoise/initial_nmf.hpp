@@ -18,7 +18,4 @@ struct InitialNmfOptions {
 /// updates. The first signal_words rows of H are learned, the hats stay. Thread: OFF.
 Factors initial_nmf(const PowerSpectrogram& power, const InitialNmfOptions& options);
 
-/// sum of P/L - ln(P/L) - 1 over all cells, L = W H. Thread: OFF.
-double itakura_saito(const PowerSpectrogram& power, const Factors& factors);
-
 }  // namespace rigsound::analysis
