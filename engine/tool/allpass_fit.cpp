@@ -29,8 +29,7 @@ class LagCurve {
   double omega_at(double lag) const {
     for (std::size_t i = 1; i < lag_.size(); ++i)
       if (lag <= lag_[i])
-        return omega_[i - 1] +
-               (omega_[i] - omega_[i - 1]) * (lag - lag_[i - 1]) / (lag_[i] - lag_[i - 1]);
+        return omega_[i - 1] + (omega_[i] - omega_[i - 1]) * (lag - lag_[i - 1]) / (lag_[i] - lag_[i - 1]);
     return kPi;
   }
 
@@ -81,8 +80,14 @@ bool solve_cholesky(Vector& H, Vector& g) {
 class LagFit {
  public:
   LagFit(const Allpass& start, const std::vector<LagPoint>& points)
-      : points_(points), current_(start), u_(to_logs(start)), residual_(points.size()),
-        n_(static_cast<std::size_t>(parameters(start))), H_(n_ * n_), g_(n_), row_(n_) {
+      : points_(points),
+        current_(start),
+        u_(to_logs(start)),
+        residual_(points.size()),
+        n_(static_cast<std::size_t>(parameters(start))),
+        H_(n_ * n_),
+        g_(n_),
+        row_(n_) {
     cost_ = cost_of(current_, residual_);
   }
 

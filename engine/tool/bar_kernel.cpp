@@ -20,29 +20,31 @@ BarKernel section_kernel(const int (&vectors)[2], [[maybe_unused]] LaneWidth wid
 #ifdef RIGSOUND_AVX2
   if (width == LaneWidth::kFour) return section_kernel_four(vectors[kTransversal]);
 #endif
-  return vectors[kLongitudinal] == 1 ? with_transversal<1>(vectors[kTransversal])
-                                     : with_transversal<2>(vectors[kTransversal]);
+  return vectors[kLongitudinal] == 1 ? sections_with<1>(vectors[kTransversal], SectionCounts{})
+                                     : sections_with<2>(vectors[kTransversal], SectionCounts{});
 }
 
-BarKernel paper_kernel([[maybe_unused]] LaneWidth width) noexcept {
+BarKernel paper_kernel(int vectors, [[maybe_unused]] LaneWidth width) noexcept {
 #ifdef RIGSOUND_AVX2
-  if (width == LaneWidth::kFour) return paper_kernel_four();
+  if (width == LaneWidth::kFour) return paper_kernel_four(vectors);
 #endif
-  return run_paper;
+  return paper_with(vectors, PaperCounts{});
 }
 
 void run_paper_in_sequence(BarState& state, const BarDrive& drive, double* out) noexcept {
-  PaperLanes& lanes = state.paper;
-  Glue glue(state, drive, out);
-  for (int i = 0; i < drive.frames; ++i) {
-    double v = glue.from_delay(kTransversal);
+  Glue glue(state, drive);
+  Taps taps(state);
+  double* y_1 = state.paper.y[0];
+  for (int i = 0; i < drive.frames; ++i, taps.advance()) {
+    double u = taps.T[0][kTransversal], u_1 = taps.T[-1][kTransversal];
     for (int j = 0; j < state.vectors[kTransversal]; ++j) {
-      const double y = lanes.lambda * v + lanes.s[j];
-      lanes.s[j] = v - lanes.lambda * y;
-      v = y;
+      const double y = state.paper.lambda * (u - y_1[j]) + u_1;
+      u_1 = y_1[j];
+      y_1[j] = u = y;
     }
-    glue.close(i, V2{v, glue.from_delay(kLongitudinal)});
+    out[i] = glue.close(i, V2{u, (*taps.L)[kLongitudinal]}, taps.now);
   }
+  glue.keep(state, drive.frames);
 }
 
 }  // namespace rigsound::tool

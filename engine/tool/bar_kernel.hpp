@@ -18,8 +18,8 @@ using BarKernel = void (*)(BarState& state, const BarDrive& drive, double* out) 
 /// The kernel for that many vectors of each family; `vectors` must fit kLanes. Thread: RT.
 BarKernel section_kernel(const int (&vectors)[2], LaneWidth width) noexcept;
 
-/// The kernel for the paper's identical sections, in vectors[kTransversal] vectors. Thread: RT.
-BarKernel paper_kernel(LaneWidth width) noexcept;
+/// The kernel for that many vectors of the paper's identical sections, within kPaperLanes. Thread: RT.
+BarKernel paper_kernel(int vectors, LaneWidth width) noexcept;
 
 /// The paper's cascade when its delay line is shorter than the skew: one section after another, in the
 /// lanes from 0 up; vectors[kTransversal] counts sections.

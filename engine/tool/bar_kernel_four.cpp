@@ -5,8 +5,8 @@
 
 namespace rigsound::tool {
 
-BarKernel section_kernel_four(int vectors_T) noexcept { return with_transversal<1>(vectors_T); }
+BarKernel section_kernel_four(int vectors_T) noexcept { return sections_with<1>(vectors_T, SectionCounts{}); }
 
-BarKernel paper_kernel_four() noexcept { return run_paper; }
+BarKernel paper_kernel_four(int vectors) noexcept { return paper_with(vectors, PaperCounts{}); }
 
 }  // namespace rigsound::tool

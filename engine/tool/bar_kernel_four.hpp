@@ -6,6 +6,6 @@
 namespace rigsound::tool {
 
 BarKernel section_kernel_four(int vectors_T) noexcept;
-BarKernel paper_kernel_four() noexcept;
+BarKernel paper_kernel_four(int vectors) noexcept;
 
 }  // namespace rigsound::tool

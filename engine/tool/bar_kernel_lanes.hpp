@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstring>
+#include <utility>
 
 #include "tool/bar_kernel.hpp"
 
@@ -29,107 +30,119 @@ void store(double* to, Vector v) {
   std::memcpy(to, &v, sizeof v);
 }
 
-/// Lanes move up by one; the lowest gets `below`'s highest.
-inline V shifted(V v, V below) {
+/// Lanes move up by one; the lowest is left idle.
+inline V shifted(V v) {
 #if RIGSOUND_LANES == 4
-  return __builtin_shufflevector(v, below, 7, 0, 1, 2);
+  return __builtin_shufflevector(v, V{}, 7, 0, 1, 2);
 #else
-  return __builtin_shufflevector(v, below, 3, 0);
+  return __builtin_shufflevector(v, V{}, 3, 0);
 #endif
 }
 
-/// `u` in the lane `entry` marks. The lanes before it idle at zero, so OR is as good as a choice.
-inline V entered(V v, double u, Bits entry) {
-  V all;
-  for (int i = 0; i < W; ++i) all[i] = u;
-  return (V)((Bits)v | ((Bits)all & entry));
+inline V everywhere(double x) {
+#if RIGSOUND_LANES == 4
+  return V{x, x, x, x};
+#else
+  return V{x, x};
+#endif
 }
 
-/// Rest of both loops (DC blocker, shelf, reflection, delay line), then mix and high-pass.
-class Glue {
- public:
-  Glue(BarState& s, const BarDrive& drive, double* out)
-      : s_(s),
-        drive_(drive),
-        out_(out),
-        dc_d_(load<V2>(s.dc_d)),
-        dc_r_(load<V2>(s.dc_r)),
-        sh_0_(load<V2>(s.sh_0)),
-        sh_1_(load<V2>(s.sh_1)),
-        sh_q_(load<V2>(s.sh_q)),
-        dc_s_(load<V2>(s.dc_s)),
-        sh_s_(load<V2>(s.sh_s)),
-        hp_m_(s.hp_m),
-        hp_out_(s.hp_out),
-        at_(s.at) {}
+/// `sample` in the lane `entry` marks. Idle lanes are zero, so OR is as good as a choice.
+inline V entered(V v, V sample, Bits entry) { return (V)((Bits)v | ((Bits)sample & entry)); }
 
-  ~Glue() {
-    store(s_.dc_s, dc_s_);
-    store(s_.sh_s, sh_s_);
-    s_.hp_m = hp_m_;
-    s_.hp_out = hp_out_;
-    s_.at = at_;
+/// Rest of both loops (DC blocker, shelf, reflection, delay line), then high-pass and mix. All in locals, as
+/// the compiler must assume that a stored sample changes whatever is in memory.
+struct Glue {
+  explicit Glue(const BarState& s, const BarDrive& drive)
+      : dc_d(load<V2>(s.dc_d)),
+        dc_r(load<V2>(s.dc_r)),
+        sh_0(load<V2>(s.sh_0)),
+        sh_1(load<V2>(s.sh_1)),
+        sh_q(load<V2>(s.sh_q)),
+        hp_b(V2{s.hp_b, s.hp_b}),
+        hp_p(V2{s.hp_p, s.hp_p}),
+        dc_s(load<V2>(s.dc_s)),
+        sh_s(load<V2>(s.sh_s)),
+        hp_r(load<V2>(s.hp_r)),
+        x(drive.x),
+        k_T(drive.k[kTransversal]),
+        k_L(drive.k[kLongitudinal]),
+        mix_T(drive.mix[kTransversal]),
+        mix_L(drive.mix[kLongitudinal]) {}
+
+  /// Closes both loops for sample `i`; v: what comes out of the cascades; line: where y goes.
+  double close(int i, V2 v, double (*line)[2]) {
+    const V2 dv = dc_d * v, b = dv + dc_s;
+    dc_s = dc_r * b - dv;
+    const V2 w = sh_0 * b + sh_s;
+    sh_s = sh_1 * b + sh_q * w;
+    const V2 y = V2{x[i], x[i]} + V2{k_T[i], k_L[i]} * w;
+    hp_r = hp_b * (y - load<V2>(line[-1])) + hp_p * hp_r;
+    store(line[0], y);
+    const V2 weighed = V2{mix_T[i], mix_L[i]} * hp_r;
+    return weighed[0] + weighed[1];
   }
 
-  Glue(const Glue&) = delete;
-  Glue& operator=(const Glue&) = delete;
-
-  double from_delay(Family family) const { return s_.ring[(at_ - s_.delay[family]) % kRing][family]; }
-
-  /// Closes both loops for sample `i` of the chunk; v: what comes out of the cascades.
-  void close(int i, V2 v) {
-    const V2 dv = dc_d_ * v, b = dv + dc_s_;
-    dc_s_ = dc_r_ * b - dv;
-    const V2 w = sh_0_ * b + sh_s_;
-    sh_s_ = sh_1_ * b + sh_q_ * w;
-    const V2 y = V2{drive_.x[i], drive_.x[i]} + load<V2>(drive_.k[i]) * w;
-    store(s_.ring[at_++ % kRing], y);
-    const V2 weighed = load<V2>(drive_.mix[i]) * y;
-    const double m = weighed[0] + weighed[1];
-    out_[i] = hp_out_ = s_.hp_b * (m - hp_m_) + s_.hp_p * hp_out_;
-    hp_m_ = m;
+  void keep(BarState& s, int frames) const {
+    store(s.dc_s, dc_s);
+    store(s.sh_s, sh_s);
+    store(s.hp_r, hp_r);
+    s.at += frames;
   }
 
- private:
-  BarState& s_;
-  const BarDrive& drive_;
-  double* out_;
-  V2 dc_d_, dc_r_, sh_0_, sh_1_, sh_q_;
-  V2 dc_s_, sh_s_;
-  double hp_m_, hp_out_;
-  unsigned at_;
+  V2 dc_d, dc_r, sh_0, sh_1, sh_q, hp_b, hp_p;
+  V2 dc_s, sh_s, hp_r;
+  const double *x, *k_T, *k_L, *mix_T, *mix_L;
 };
 
-/// NT vectors of transversal sections, then NL of longitudinal ones; each family ends in a vector's last
-/// lane.
+/// The line as one sample of the chunk sees it.
+struct Taps {
+  explicit Taps(BarState& s)
+      : now(s.line + s.at), T(now - s.delay[kTransversal]), L(now - s.delay[kLongitudinal]) {}
+
+  void advance() { ++now, ++T, ++L; }
+
+  double (*now)[2];         ///< where the new sample goes
+  double (*T)[2], (*L)[2];  ///< what enters the cascades
+};
+
+/// NT vectors of transversal sections, then NL of longitudinal ones.
 template <int NT, int NL>
 void run_sections(BarState& state, const BarDrive& drive, double* out) noexcept {
   constexpr int N = NT + NL;
   SectionLanes& lanes = state.sections;
-  V g0[N], g1[N], g2[N], h[N], e[N], x1[N], x2[N], y[N];
+  V g0[N], g1[N], g2[N], c0[N], h[N], x1[N], x2[N], y[N];
   for (int j = 0; j < N; ++j) {
     g0[j] = load<V>(&lanes.g0[W * j]), g1[j] = load<V>(&lanes.g1[W * j]), g2[j] = load<V>(&lanes.g2[W * j]);
-    h[j] = load<V>(&lanes.h[W * j]), e[j] = load<V>(&lanes.e[W * j]);
+    c0[j] = load<V>(&lanes.c0[W * j]), h[j] = load<V>(&lanes.h[W * j]);
     x1[j] = load<V>(&lanes.x1[W * j]), x2[j] = load<V>(&lanes.x2[W * j]), y[j] = load<V>(&lanes.y[W * j]);
   }
-  const Bits entry_T = load<Bits>(state.entry[kTransversal]),
-             entry_L = load<Bits>(state.entry[kLongitudinal]);
-  Glue glue(state, drive, out);
-  for (int i = 0; i < drive.frames; ++i) {
-    V below{};
+  Bits entry[N];
+  for (int j = 0; j < N; ++j) {
+    const int family = j < NT ? kTransversal : kLongitudinal, vector = j < NT ? j : j - NT;
+    entry[j] = vector < W ? load<Bits>(state.entry[family][vector]) : Bits{};
+  }
+  Glue glue(state, drive);
+  Taps taps(state);
+  const int frames = drive.frames;
+  for (int i = 0; i < frames; ++i, taps.advance()) {
+    const V from_T = everywhere((*taps.T)[kTransversal]), from_L = everywhere((*taps.L)[kLongitudinal]);
+    V before = shifted(y[NT - 1]);
 #pragma GCC unroll 24
     for (int j = 0; j < N; ++j) {
-      V u = shifted(y[j], below);
-      if (j == 0) u = entered(u, glue.from_delay(kTransversal), entry_T);
-      if (j == NT) u = entered(u, glue.from_delay(kLongitudinal), entry_L);
-      below = j == NT - 1 ? V{} : y[j];
-      const V m = (g0[j] * x1[j] - g1[j] * x2[j]) + g2[j] * u;
-      y[j] = u - h[j] * m;
+      if (j == NT) before = shifted(y[N - 1]);
+      V u = before;
+      before = y[j];
+      if (j < NT && j < W) u = entered(u, from_T, entry[j]);
+      if (j >= NT) u = entered(u, from_L, entry[j]);
+      const V w = g0[j] * x1[j] - g1[j] * x2[j], m = w + g2[j] * u;
+      y[j] = c0[j] * u - h[j] * w;
       x1[j] = m - x1[j];
-      x2[j] = x2[j] + e[j] * m;
+      x2[j] = x2[j] + m;
     }
-    glue.close(i, V2{y[NT - 1][W - 1], y[N - 1][W - 1]});
+    out[i] = glue.close(i, V2{y[NT - 1][W - 1], y[N - 1][W - 1]}, taps.now);
   }
+  glue.keep(state, frames);
   for (int j = 0; j < N; ++j) {
     store(&lanes.x1[W * j], x1[j]);
     store(&lanes.x2[W * j], x2[j]);
@@ -137,47 +150,51 @@ void run_sections(BarState& state, const BarDrive& drive, double* out) noexcept 
   }
 }
 
+/// N vectors of the paper's sections. Too many for registers, so they live in memory between samples.
+template <int N>
 void run_paper(BarState& state, const BarDrive& drive, double* out) noexcept {
-  PaperLanes& lanes = state.paper;
-  const int vectors = state.vectors[kTransversal];
-  const double lambda = lanes.lambda;
-  V s[kPaperLanes / W], y[kPaperLanes / W];
-  for (int j = 0; j < vectors; ++j) s[j] = load<V>(&lanes.s[W * j]), y[j] = load<V>(&lanes.y[W * j]);
-  const Bits entry_T = load<Bits>(state.entry[kTransversal]);
-  Glue glue(state, drive, out);
-  for (int i = 0; i < drive.frames; ++i) {
-    V below{}, enter = entered(V{}, glue.from_delay(kTransversal), entry_T);
-    for (int j = 0; j < vectors; ++j) {
-      V u = shifted(y[j], below);
-      if (j == 0) u = (V)((Bits)u | (Bits)enter);
-      below = y[j];
-      y[j] = lambda * u + s[j];
-      s[j] = u - lambda * y[j];
+  const int frames = drive.frames;
+  const V lambda = everywhere(state.paper.lambda);
+  constexpr int kEntries = N < W ? N : W;
+  Bits entry[kEntries];
+  for (int j = 0; j < kEntries; ++j) entry[j] = load<Bits>(state.entry[kTransversal][j]);
+  double *y_2 = state.paper.y[state.paper.turn], *y_1 = state.paper.y[1 - state.paper.turn];
+  Glue glue(state, drive);
+  Taps taps(state);
+  for (int i = 0; i < frames; ++i, taps.advance()) {
+    const V from = everywhere(taps.T[0][kTransversal]), from_1 = everywhere(taps.T[-1][kTransversal]);
+    V u = shifted(load<V>(&y_1[W * (N - 1)])), u_1 = shifted(load<V>(&y_2[W * (N - 1)])), y{};
+#pragma GCC unroll 32
+    for (int j = 0; j < N; ++j) {
+      if (j < kEntries) u = entered(u, from, entry[j]), u_1 = entered(u_1, from_1, entry[j]);
+      const V mine_1 = load<V>(&y_1[W * j]), mine_2 = load<V>(&y_2[W * j]);
+      y = lambda * (u - mine_1) + u_1;
+      store(&y_2[W * j], y);
+      u = mine_1, u_1 = mine_2;
     }
-    glue.close(i, V2{y[vectors - 1][W - 1], glue.from_delay(kLongitudinal)});
+    double* const newest = y_2;
+    y_2 = y_1;
+    y_1 = newest;
+    out[i] = glue.close(i, V2{y[W - 1], (*taps.L)[kLongitudinal]}, taps.now);
   }
-  for (int j = 0; j < vectors; ++j) store(&lanes.s[W * j], s[j]), store(&lanes.y[W * j], y[j]);
+  state.paper.turn = (state.paper.turn + frames) % 2;
+  glue.keep(state, frames);
 }
 
-template <int NL>
-BarKernel with_transversal(int vectors_T) {
-  static constexpr BarKernel kTable[] = {
-    run_sections<1, NL>,
-    run_sections<2, NL>,
-    run_sections<3, NL>,
-    run_sections<4, NL>,
-    run_sections<5, NL>,
-#if RIGSOUND_LANES == 2
-    run_sections<6, NL>,
-    run_sections<7, NL>,
-    run_sections<8, NL>,
-    run_sections<9, NL>,
-    run_sections<10, NL>,
-#endif
-  };
-  static_assert(sizeof kTable / sizeof *kTable * W == kMaxSections);
+template <int... N>
+BarKernel paper_with(int vectors, std::integer_sequence<int, N...>) {
+  static constexpr BarKernel kTable[] = {run_paper<N + 1>...};
+  return kTable[vectors - 1];
+}
+
+template <int NL, int... NT>
+BarKernel sections_with(int vectors_T, std::integer_sequence<int, NT...>) {
+  static constexpr BarKernel kTable[] = {run_sections<NT + 1, NL>...};
   return kTable[vectors_T - 1];
 }
+
+using PaperCounts = std::make_integer_sequence<int, kPaperLanes / W>;
+using SectionCounts = std::make_integer_sequence<int, kMaxSections / W>;
 
 }  // namespace
 }  // namespace rigsound::tool

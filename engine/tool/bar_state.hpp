@@ -10,60 +10,83 @@ namespace rigsound::tool {
 
 constexpr int kLanes = kMaxSections + kMaxLongSections;  ///< both families' sections side by side
 constexpr int kPaperLanes = kMaxPaperSections;
-constexpr int kRing = 1024;  ///< samples the delay lines remember, a power of two
-static_assert(kRing > kMaxLoopDelay && kLanes % 4 == 0 && kPaperLanes % 4 == 0);
+constexpr int kLineSlack = 256;  ///< samples a delay line takes before it is moved back to its start
+constexpr int kLine = kMaxLoopDelay + 8 + kLineSlack;
+static_assert(kLanes % 4 == 0 && kPaperLanes % 4 == 0);
 
 /// Index of a family in every pair of numbers.
 enum Family : int { kTransversal, kLongitudinal };
 
-/// Second-order sections in orthogonal form, one a lane. With m the doubled implicit midpoint:
-///   m = (g0 x1 - g1 x2) + g2 u,  y = u - h m,  x1' = m - x1,  x2' = x2 + e m
-/// keeps y^2 + x1'^2 + x2'^2 = u^2 + x1^2 + x2^2 for whatever b, c > 0 it is set to, and to whatever it is
-/// set from sample to sample. With c = 0 it is a first-order section with its sign turned.
+/// Second-order sections, one a lane. With w = g0 x1 - g1 x2 and m = w + g2 u (the doubled implicit
+/// midpoint):
+///   y = c0 u - h w,  x1' = m - x1,  x2' = x2 + m
+/// keeps y^2 + x1'^2 + (e x2')^2 = u^2 + x1^2 + (e x2)^2: energy is neither made nor lost, whatever b, c > 0
+/// it is set to, and to whatever it is set from sample to sample. With c = 0 it is a first-order section with
+/// its sign turned; its x2 then weighs nothing.
 struct SectionLanes {
-  alignas(16) double g0[kLanes], g1[kLanes], g2[kLanes], h[kLanes], e[kLanes];
-  alignas(16) double x1[kLanes], x2[kLanes];
-  alignas(16) double y[kLanes];  ///< each lane's last output
+  alignas(32) double g0[kLanes], g1[kLanes], g2[kLanes], c0[kLanes], h[kLanes], e[kLanes];
+  alignas(32) double x1[kLanes], x2[kLanes];
+  alignas(32) double y[kLanes];  ///< each lane's last output
 };
 
-/// The paper's identical first-order sections (eq. 5): y = lambda u + s, s' = u - lambda y.
+/// The paper's identical first-order sections (eq. 5), y = lambda (u - y_1) + u_1: every lane's outputs of
+/// the last two samples are all there is to remember, since one section's input is another's output.
 struct PaperLanes {
   double lambda;
-  alignas(16) double s[kPaperLanes], y[kPaperLanes];
+  int turn;  ///< y[turn]: of the sample before last; the other: of the last
+  alignas(32) double y[2][kPaperLanes];
 };
 
 /// Plain arrays: the kernels' source files must not instantiate anything the linker could merge.
+///
+/// Lanes of a family with V vectors of W lanes: section s sits in vector s % V, lane s / V, so that all but
+/// one vector in V get their input from the vector before without moving lanes. Sections end at the last
+/// lane of the last vector; lanes before the first section idle at zero.
 struct BarState {
   SectionLanes sections;
   PaperLanes paper;
 
-  alignas(16) double ring[kRing][2];  ///< both delay lines, interleaved
-  unsigned at;                        ///< samples written to it
-  unsigned delay[2];                  ///< what is left of N beside the lanes, >= 1
+  alignas(64) double line[kLine][2];  ///< y of both families, oldest first
+  int at;                             ///< where in it the next sample goes
+  int line_end;                       ///< how far it may grow before make_room()
+  int delay[2];                       ///< what is left of N beside the lanes, >= 1
 
   // DC blocker b = dc_d v + dc_s, dc_s' = dc_r b - dc_d v; shelf w = sh_0 b + sh_s, sh_s' = sh_1 b + sh_q w.
-  alignas(16) double dc_d[2], dc_r[2], dc_s[2];
-  alignas(16) double sh_0[2], sh_1[2], sh_q[2], sh_s[2];
+  alignas(32) double dc_d[2], dc_r[2], dc_s[2];
+  alignas(32) double sh_0[2], sh_1[2], sh_q[2], sh_s[2];
 
-  // High-pass after the mix: out = hp_b (m - hp_m) + hp_p out.
-  double hp_b, hp_p, hp_m, hp_out;
+  // High-pass of each family: r = hp_b (y - y_1) + hp_p r_1.
+  double hp_b, hp_p;
+  alignas(32) double hp_r[2];
 
-  // Where each family's first section sits: all bits set in that lane only, so that an OR drops the delay
-  // line's sample among the idle lanes before it.
-  alignas(16) std::uint64_t entry[2][4];
+  // Where each family's first section sits among its first vectors: all bits set in that lane only, so that
+  // an OR drops the delay line's sample among the idle lanes.
+  alignas(32) std::uint64_t entry[2][4][4];
   int vectors[2];  ///< of the lane width in use, per family
   int last[2];     ///< lane whose output leaves the cascade
 };
 
-/// What one chunk is driven with. Everything but x is constant when nothing changes.
+/// What a stretch of at most kChunk samples is driven with, `frames` values each.
 struct BarDrive {
-  int frames = kChunk;  ///< 1...kChunk
-  alignas(16) double x[kChunk];
-  alignas(16) double k[kChunk][2];
-  alignas(16) double mix[kChunk][2];
+  int frames = kChunk;
+  bool struck = false;  ///< some x is not zero
+  const double* x = nullptr;
+  const double* k[2] = {};    ///< reflection of each family, |k| <= 1
+  const double* mix[2] = {};  ///< weight of each family
 };
 
-/// Sets one section; its state may stay as it is. Thread: RT.
+/// Index in the lanes of section `section` of a family with `vectors` vectors, the first of which is `base`.
+constexpr int lane_of(int section, int base, int vectors, int width) noexcept {
+  return width * (base + section % vectors) + section / vectors;
+}
+
+/// How far back in the line anything still looks, samples.
+int reach(const BarState& state) noexcept;
+
+/// Moves the line back to its start if `frames` more samples do not fit. Thread: RT.
+void make_room(BarState& state, int frames) noexcept;
+
+/// Sets one section. Its energy stays what it is. Thread: RT.
 void set_section(SectionLanes& lanes, int lane, double b, double c) noexcept;
 
 /// What the bar still holds: squares of everything in flight, of the sections, and the storage of DC blocker

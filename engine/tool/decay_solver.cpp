@@ -38,8 +38,9 @@ DecayGains solve_decay(const LoopDesign& loop, const DecayWish& wish, double sam
     q = (r_high - r_low) / (P_high - P_low);
     k2 = (r_low * P_high - r_high * P_low) / (a * a * (P_high - P_low));
     if (!(q >= 0 && q <= k2 && k2 < 1))
-      throw std::invalid_argument("t60: no passive loop decays like that, expected the higher frequency to die "
-                                  "sooner but not too much sooner");
+      throw std::invalid_argument(
+          "t60: no passive loop decays like that, expected the higher frequency to die "
+          "sooner but not too much sooner");
   }
   return {std::sqrt(k2), std::sqrt(q / k2)};
 }

@@ -124,9 +124,12 @@ double top_mode(const ModeLaw& law, double sample_rate) {
 class Search {
  public:
   Search(const ModeLaw& law, const LoopTask& task)
-      : law_(law), task_(task), half_turns_(static_cast<int>(std::ceil(2 * top_mode(law, task.sample_rate)))) {
+      : law_(law),
+        task_(task),
+        half_turns_(static_cast<int>(std::ceil(2 * top_mode(law, task.sample_rate)))) {
     const int modes = law.count_below(mode_limit(task.sample_rate));
-    if (modes < 1) throw std::invalid_argument("length_m: the bar has no mode below 18 kHz, expected a longer bar");
+    if (modes < 1)
+      throw std::invalid_argument("length_m: the bar has no mode below 18 kHz, expected a longer bar");
     round_trip_ = task.sample_rate / (law.at(modes + 0.5) - law.at(modes - 0.5));
     highest_order_ = std::min(task.max_order, 2 * modes + 8);
   }

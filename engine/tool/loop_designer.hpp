@@ -8,14 +8,14 @@ namespace rigsound::tool {
 
 struct LoopTask {
   double sample_rate = 48000;
-  LoopFilters filters;          ///< already chosen; their lag is part of what the allpass makes up for
+  LoopFilters filters;                ///< already chosen; their lag is part of what the allpass makes up for
   double k_min = 0.83, k_max = 0.89;  ///< poles are tuned half-way between
-  double cents = 0.3;           ///< aim for the worst mode
-  double cents_limit = 1.0;     ///< what is accepted when the aim cannot be had within max_order
-  double decay_share = 0.03;    ///< worst deviation of a mode's T60 from that of the ideal loop
-  double between_weight = 0.05; ///< of the lag half-way between modes, which keeps the decays even
+  double cents = 0.3;                 ///< aim for the worst mode
+  double cents_limit = 1.0;           ///< what is accepted when the aim cannot be had within max_order
+  double decay_share = 0.03;          ///< worst deviation of a mode's T60 from that of the ideal loop
+  double between_weight = 0.05;       ///< of the lag half-way between modes, which keeps the decays even
   int lowest_order = 2, max_order = 2 * kMaxSections;
-  double spare_delay = 0.8;     ///< search starts with this share of the top round trip left to the delay line
+  double spare_delay = 0.8;  ///< search starts with this share of the top round trip left to the delay line
 };
 
 /// How far a loop is from its law, over all modes below mode_limit().
@@ -33,7 +33,8 @@ struct DesignedLoop {
 double mode_limit(double sample_rate);
 
 /// T60 in samples that mode `mode` has in a loop with the law's own round trip, these filters and this k.
-double ideal_t60_samples(const ModeLaw& law, const LoopFilters& filters, double k, int mode, double sample_rate);
+double ideal_t60_samples(const ModeLaw& law, const LoopFilters& filters, double k, int mode,
+                         double sample_rate);
 
 /// Searches the shortest allpass that reaches task.cents, else the best within cents_limit. Throws
 /// std::invalid_argument when none is, or when the law has no mode to tune. Thread: OFF, CT.

@@ -10,9 +10,7 @@ using dsp::Complex;
 constexpr Complex kOne{1, 0};
 
 /// -pi...pi
-double wrapped(double phase) noexcept {
-  return phase - dsp::kTwoPi * std::floor(phase / dsp::kTwoPi + 0.5);
-}
+double wrapped(double phase) noexcept { return phase - dsp::kTwoPi * std::floor(phase / dsp::kTwoPi + 0.5); }
 
 /// d ln(F A) / dp, term by term.
 Complex log_slope(const LoopDesign& loop, Complex p) noexcept {

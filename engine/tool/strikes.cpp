@@ -39,26 +39,41 @@ void Strikes::add(const Impact& impact, double period) noexcept {
   }
 }
 
-void Strikes::render(const Pulse& pulse, Excitation& out) const noexcept {
-  const double end = pulse.onset + width_;
-  const int first =
-      static_cast<int>(std::max(0.0, std::floor(pulse.onset) + (pulse.onset > std::floor(pulse.onset))));
-  if (pulse.onset > -1 && first < kChunk) out.slope[first] = pulse.slope;
-  for (int n = first; n < kChunk && n < end; ++n)
-    out.x[n] += pulse.amplitude / 2 * (1 - dsp::cos(dsp::kTwoPi * (n - pulse.onset) / width_));
+/// Keeps the touches in order; of two at the same sample the later pulse's counts.
+void Strikes::touch(int at, double slope) noexcept {
+  int i = touch_count_;
+  while (i > 0 && touches_[static_cast<std::size_t>(i - 1)].at > at) --i;
+  if (i > 0 && touches_[static_cast<std::size_t>(i - 1)].at == at) {
+    touches_[static_cast<std::size_t>(i - 1)].slope = slope;
+    return;
+  }
+  for (int j = touch_count_++; j > i; --j)
+    touches_[static_cast<std::size_t>(j)] = touches_[static_cast<std::size_t>(j - 1)];
+  touches_[static_cast<std::size_t>(i)] = {at, slope};
 }
 
-void Strikes::process(const Impact* impacts, int count, double period, Excitation& out) noexcept {
+void Strikes::render(const Pulse& pulse, double* x) noexcept {
+  const double down = std::floor(pulse.onset), up = down < pulse.onset ? down + 1 : down;
+  const int first = static_cast<int>(std::max(0.0, up));
+  if (pulse.onset > -1 && first < kChunk) touch(first, pulse.slope);
+  for (int n = first; n < kChunk && n < pulse.onset + width_; ++n)
+    x[n] += pulse.amplitude / 2 * (1 - dsp::cos(dsp::kTwoPi * (n - pulse.onset) / width_));
+}
+
+bool Strikes::process(const Impact* impacts, int count, double period, double* x) noexcept {
   for (int i = 0; i < count; ++i) add(impacts[i], period);
-  out = {};
+  std::fill(x, x + kChunk, 0.0);
+  touch_count_ = 0;
+  bool struck = false;
   int kept = 0;
   for (int i = 0; i < count_; ++i) {
     Pulse pulse = pulses_[static_cast<std::size_t>(i)];
-    if (pulse.onset < kChunk) render(pulse, out);
+    if (pulse.onset < kChunk) render(pulse, x), struck = true;
     pulse.onset -= kChunk;
     if (pulse.onset + width_ > 0) pulses_[static_cast<std::size_t>(kept++)] = pulse;
   }
   count_ = kept;
+  return struck;
 }
 
 }  // namespace rigsound::tool

@@ -10,10 +10,10 @@
 
 namespace rigsound::tool {
 
-/// kChunk samples of excitation.
-struct Excitation {
-  double x[kChunk];
-  double slope[kChunk];  ///< > 0 where a pulse begins: factor on the contact's ramps; else 0
+/// A pulse's first sample: the hammer touches the steel.
+struct Touch {
+  int at;        ///< sample of the chunk
+  double slope;  ///< factor on the contact's ramps
 };
 
 /// Blows in, pulses out. A pulse begins where its blow does, between samples if need be, so that a blow
@@ -22,8 +22,13 @@ class Strikes {
  public:
   Strikes(const Strike& strike, double sample_rate, std::uint64_t seed, int boom) noexcept;
 
-  /// The chunk's blows, on average `period` samples apart, and what is left of earlier ones.
-  void process(const Impact* impacts, int count, double period, Excitation& out) noexcept;
+  /// The chunk's blows, on average `period` samples apart, and what is left of earlier ones. Writes kChunk
+  /// samples; false: all of them are zero.
+  bool process(const Impact* impacts, int count, double period, double* x) noexcept;
+
+  /// Of the last chunk, in rising order.
+  const Touch* begin() const noexcept { return touches_.data(); }
+  const Touch* end() const noexcept { return touches_.data() + touch_count_; }
 
  private:
   struct Pulse {
@@ -33,7 +38,8 @@ class Strikes {
 
   void add(const Impact& impact, double period) noexcept;
   void push(const Pulse& pulse) noexcept;
-  void render(const Pulse& pulse, Excitation& out) const noexcept;
+  void render(const Pulse& pulse, double* x) noexcept;
+  void touch(int at, double slope) noexcept;
 
   static constexpr int kMaxPulses = 96;  ///< of blows a whole chunk full, with every bounce
 
@@ -42,6 +48,8 @@ class Strikes {
   dsp::RandomField random_;
   std::array<Pulse, kMaxPulses> pulses_{};
   int count_ = 0;
+  std::array<Touch, kChunk> touches_{};
+  int touch_count_ = 0;
 };
 
 }  // namespace rigsound::tool

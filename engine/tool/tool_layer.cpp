@@ -12,14 +12,14 @@ constexpr double kGainRamp_s = 0.010;          // a gain goes from 0 to 1 in thi
 constexpr double kReflectionSlope_per_s = 60;  // faster ramps of k are heard as noise above 12 kHz
 constexpr double kMaxReflection = 0.9999;
 
+/// Reflections times a factor, kept below 1.
+void scale(const double* k, const double* factor, double* out) noexcept {
+  for (int n = 0; n < kChunk; ++n) out[n] = std::min(kMaxReflection, k[n] * factor[n]);
+}
+
 double smoothstep(double x) noexcept { return x * x * (3 - 2 * x); }
 
 }  // namespace
-
-double ToolLayer::Ramp::next(double target) noexcept {
-  value = value < target ? std::min(target, value + step) : std::max(target, value - step);
-  return value;
-}
 
 ToolLayer::ToolLayer(const ToolModel& model, double sample_rate, std::uint64_t seed, int boom,
                      LaneWidth width)
@@ -27,24 +27,29 @@ ToolLayer::ToolLayer(const ToolModel& model, double sample_rate, std::uint64_t s
       sample_rate_(sample_rate),
       width_(width),
       strikes_(model.strike, sample_rate, seed, boom),
-      fade_step_(1 / (kFade_s * sample_rate)) {
+      fade_step_(1 / (kFade_s * sample_rate)),
+      amplitude_(1, 1 / (kGainRamp_s * sample_rate)),
+      k_T_(1, kReflectionSlope_per_s / sample_rate),
+      k_L_(1, kReflectionSlope_per_s / sample_rate),
+      mix_T_(weight_T(), weight_T() / (kGainRamp_s * sample_rate)),
+      mix_L_(weight_L(), weight_L() / (kGainRamp_s * sample_rate)) {
   designs_.push_back(design_for(model, sample_rate));
   for (const RodSteel& rod : model.rods) {
     ToolModel other = model;
     other.bar = rod.bar;
-    other.designs.clear();
     designs_.push_back(design_tool(other, sample_rate));
   }
   steels_.assign(2, steel_of(designs_.front()));
   for (const ToolBand& band : model.voicing.equaliser)
     equaliser_.emplace_back(dsp::peaking(band.frequency_hz, band.gain_db, band.q, sample_rate));
-  for (Ramp* gain : {&amplitude_, &mix_T_, &mix_L_}) gain->step = 1 / (kGainRamp_s * sample_rate);
-  for (Ramp* reflection : {&k_T_, &k_L_}) reflection->step = kReflectionSlope_per_s / sample_rate;
 }
 
 ToolLayer::Steel ToolLayer::steel_of(const ToolDesign& design) const noexcept {
-  return {BarLoops(design, model_.voicing.highpass_hz, width_),
-          Contact(design.transversal, model_.strike, sample_rate_), design.longitudinal.k_max};
+  Steel steel{BarLoops(design, model_.voicing.highpass_hz, width_),
+              Contact(design.transversal, model_.strike, sample_rate_),
+              {}};
+  steel.k_L.fill(design.longitudinal.k_max);
+  return steel;
 }
 
 void ToolLayer::change(const ToolDesign& design) noexcept {
@@ -68,30 +73,34 @@ void ToolLayer::begin_fade() noexcept {
   fade_ = fade_step_;
 }
 
-void ToolLayer::drive(const Excitation& excitation, const ToolControls& controls) noexcept {
-  const ToolVoicing& voicing = model_.voicing;
-  for (int n = 0; n < kChunk; ++n) {
-    drive_.x[n] = excitation.x[n] * amplitude_.next(controls.amplitude);
-    factor_T_[n] = k_T_.next(controls.k_T);
-    factor_L_[n] = k_L_.next(controls.k_L);
-    drive_.mix[n][kTransversal] = voicing.level * voicing.mix_T * mix_T_.next(controls.mix_T);
-    drive_.mix[n][kLongitudinal] = voicing.level * voicing.mix_L * mix_L_.next(controls.mix_L);
-  }
+void ToolLayer::follow(const ToolControls& controls) noexcept {
+  amplitude_.process(controls.amplitude);
+  k_T_.process(controls.k_T);
+  k_L_.process(controls.k_L);
+  mix_T_.process(weight_T() * controls.mix_T);
+  mix_L_.process(weight_L() * controls.mix_L);
 }
 
-void ToolLayer::ring(Steel& steel, const Excitation& excitation, double* out) noexcept {
-  double k_T[kChunk];
-  steel.contact.process(excitation.slope, k_T);
-  for (int n = 0; n < kChunk; ++n) {
-    drive_.k[n][kTransversal] = std::min(kMaxReflection, k_T[n] * factor_T_[n]);
-    drive_.k[n][kLongitudinal] = std::min(kMaxReflection, steel.k_L * factor_L_[n]);
-  }
+void ToolLayer::strike(const Impact* impacts, int count, double period) noexcept {
+  drive_.struck = strikes_.process(impacts, count, period, x_);
+  if (!amplitude_.rests_at(1))
+    for (int n = 0; n < kChunk; ++n) x_[n] *= amplitude_.curve()[n];
+}
+
+void ToolLayer::ring(Steel& steel, double* out) noexcept {
+  double k_T[kChunk], k_L[kChunk];
+  steel.contact.process(strikes_, k_T);
+  if (!k_T_.rests_at(1)) scale(k_T, k_T_.curve(), k_T);
+  if (!k_L_.rests_at(1)) scale(steel.k_L.data(), k_L_.curve(), k_L);
+  drive_.x = x_;
+  drive_.k[kTransversal] = k_T, drive_.k[kLongitudinal] = k_L_.rests_at(1) ? steel.k_L.data() : k_L;
+  drive_.mix[kTransversal] = mix_T_.curve(), drive_.mix[kLongitudinal] = mix_L_.curve();
   steel.loops.process(drive_, out);
 }
 
-void ToolLayer::crossfade(const Excitation& excitation, double* out) noexcept {
+void ToolLayer::crossfade(double* out) noexcept {
   double next[kChunk];
-  ring(steels_[1 - ringing_], excitation, next);
+  ring(steels_[1 - ringing_], next);
   for (int n = 0; n < kChunk; ++n) {
     out[n] += smoothstep(fade_) * (next[n] - out[n]);
     fade_ = std::min(1.0, fade_ + fade_step_);
@@ -105,11 +114,10 @@ void ToolLayer::process(const Impact* impacts, int count, const ToolControls& co
                         double* out) noexcept {
   follow_rods(controls.rods);
   begin_fade();
-  Excitation excitation;
-  strikes_.process(impacts, count, controls.period, excitation);
-  drive(excitation, controls);
-  ring(steels_[ringing_], excitation, out);
-  if (fade_ > 0) crossfade(excitation, out);
+  follow(controls);
+  strike(impacts, count, controls.period);
+  ring(steels_[ringing_], out);
+  if (fade_ > 0) crossfade(out);
   for (dsp::Biquad& band : equaliser_)
     for (int n = 0; n < kChunk; ++n) out[n] = band.process(out[n]);
 }

@@ -10,6 +10,7 @@
 #include "rigsound/tool_model.hpp"
 #include "tool/bar_loops.hpp"
 #include "tool/contact.hpp"
+#include "tool/ramped_curve.hpp"
 #include "tool/strikes.hpp"
 
 namespace rigsound::tool {
@@ -43,21 +44,18 @@ class ToolLayer {
   struct Steel {
     BarLoops loops;
     Contact contact;
-    double k_L;
+    std::array<double, kChunk> k_L;  ///< the longitudinal reflection, which nothing moves but the controls
   };
 
-  /// A value that reaches its target in a straight line.
-  struct Ramp {
-    double value = 1, step = 1;  ///< most it moves in a sample
-    double next(double target) noexcept;
-  };
-
+  double weight_T() const noexcept { return model_.voicing.level * model_.voicing.mix_T; }
+  double weight_L() const noexcept { return model_.voicing.level * model_.voicing.mix_L; }
   Steel steel_of(const ToolDesign& design) const noexcept;
   void follow_rods(int rods) noexcept;
   void begin_fade() noexcept;
-  void drive(const Excitation& excitation, const ToolControls& controls) noexcept;
-  void ring(Steel& steel, const Excitation& excitation, double* out) noexcept;
-  void crossfade(const Excitation& excitation, double* out) noexcept;
+  void follow(const ToolControls& controls) noexcept;
+  void strike(const Impact* impacts, int count, double period) noexcept;
+  void ring(Steel& steel, double* out) noexcept;
+  void crossfade(double* out) noexcept;
 
   ToolModel model_;
   double sample_rate_;
@@ -70,9 +68,10 @@ class ToolLayer {
   Strikes strikes_;
   std::vector<Steel> steels_;  ///< two: the one that rings and the one it fades to
   std::size_t ringing_ = 0;
-  double fade_ = 0, fade_step_;  ///< share of the crossfade done; 0: none under way
-  Ramp amplitude_, k_T_, k_L_, mix_T_, mix_L_;
-  double factor_T_[kChunk], factor_L_[kChunk];
+  double fade_ = 0, fade_step_;        ///< share of the crossfade done; 0: none under way
+  RampedCurve amplitude_, k_T_, k_L_;  ///< factors
+  RampedCurve mix_T_, mix_L_;          ///< weights
+  double x_[kChunk];                   ///< excitation of the chunk
   BarDrive drive_;
   std::vector<dsp::Biquad> equaliser_;
 };

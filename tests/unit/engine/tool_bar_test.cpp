@@ -26,27 +26,32 @@ ToolModel model_of(const Bar& bar) {
   return model;
 }
 
-BarDrive drive_with(double k_T, double k_L) {
-  BarDrive drive{};
-  drive.frames = kChunk;
-  for (int n = 0; n < kChunk; ++n) {
-    drive.k[n][kTransversal] = k_T, drive.k[n][kLongitudinal] = k_L;
-    drive.mix[n][kTransversal] = drive.mix[n][kLongitudinal] = 0.5;
+/// Curves of one chunk, and the drive that points at them.
+struct Curves {
+  double x[kChunk] = {}, k_T[kChunk], k_L[kChunk], mix[kChunk];
+
+  Curves(double T, double L) {
+    std::fill(k_T, k_T + kChunk, T);
+    std::fill(k_L, k_L + kChunk, L);
+    std::fill(mix, mix + kChunk, 0.5);
   }
-  return drive;
-}
+  BarDrive drive(int frames = kChunk) const {
+    const bool struck = std::any_of(x, x + frames, [](double sample) { return sample != 0; });
+    return {frames, struck, x, {k_T, k_L}, {mix, mix}};
+  }
+};
 
 /// y of one family after a unit impulse, read from the delay line.
 std::vector<double> impulse_response(const ToolDesign& design, Family family, double k, int samples,
                                      LaneWidth width = widest_lanes()) {
   BarLoops bar(design, 800, width);
-  BarDrive drive = drive_with(k, k);
+  Curves curves(k, k);
   std::vector<double> y;
   double out[kChunk];
   for (int n = 0; n < samples; n += kChunk) {
-    for (int i = 0; i < kChunk; ++i) drive.x[i] = n + i == 0;
-    bar.process(drive, out);
-    for (unsigned i = kChunk; i > 0; --i) y.push_back(bar.state().ring[(bar.state().at - i) % kRing][family]);
+    for (int i = 0; i < kChunk; ++i) curves.x[i] = n + i == 0;
+    bar.process(curves.drive(), out);
+    for (int i = kChunk; i > 0; --i) y.push_back(bar.state().line[bar.state().at - i][family]);
   }
   return y;
 }
@@ -68,10 +73,10 @@ std::vector<double> sequential_response(const LoopDesign& loop, double k, int sa
   for (int n = 0; n < samples; ++n) {
     double v = n >= loop.N ? y[static_cast<std::size_t>(n - loop.N)] : 0;
     for (int i = 0; i < stages; ++i) {
-      const double m = (lanes.g0[i] * lanes.x1[i] - lanes.g1[i] * lanes.x2[i]) + lanes.g2[i] * v;
-      v = v - lanes.h[i] * m;
+      const double half = lanes.g0[i] * lanes.x1[i] - lanes.g1[i] * lanes.x2[i], m = half + lanes.g2[i] * v;
+      v = lanes.c0[i] * v - lanes.h[i] * half;
       lanes.x1[i] = m - lanes.x1[i];
-      lanes.x2[i] = lanes.x2[i] + lanes.e[i] * m;
+      lanes.x2[i] = lanes.x2[i] + m;
     }
     const double dv = D * v, b = dv + dc;
     dc = R * b - dv;
@@ -146,26 +151,27 @@ TEST_CASE("energy never grows, whatever k, b and c do from sample to sample") {
   const dsp::RandomField random(7, 1);
   for (const LaneWidth width : {LaneWidth::kTwo, widest_lanes()}) {
     BarLoops bar(design, 800, width);
-    BarDrive drive = drive_with(1, 1);
-    drive.frames = 1;
+    Curves curves(1, 1);
+    const int vectors = bar.state().vectors[kTransversal];
+    const int first = static_cast<int>(width) * vectors - allpass.stages();
     double out[kChunk], before = 0, worst = -1;
     for (std::uint64_t i = 0; i < 60000; ++i) {
       const bool hit = bar.asleep();
-      drive.x[0] = hit;
+      curves.x[0] = hit;
       // Three kinds of stretches: reflections of +-1, of anything between, and moving sections as well.
       const std::uint64_t kind = i / 2000 % 3;
       for (int f = 0; f < 2; ++f) {
         const double u = 2 * random.uniform(i, 60 + static_cast<std::uint64_t>(f)) - 1;
-        drive.k[0][f] = kind == 1 ? u : u < 0 ? -1 : 1;
+        (f == 0 ? curves.k_T : curves.k_L)[0] = kind == 1 ? u : u < 0 ? -1 : 1;
       }
       for (int s = 0; kind == 2 && s < allpass.sections; ++s) {
         const auto [b, c] = allpass.section[static_cast<std::size_t>(s)];
         const auto field = static_cast<std::uint64_t>(2 * s);
-        set_section(bar.state().sections, bar.state().last[kTransversal] + 1 - allpass.stages() + s,
+        set_section(bar.state().sections, lane_of(first + s, 0, vectors, static_cast<int>(width)),
                     b * dsp::exp(2 * random.uniform(i, field) - 1),
                     c * dsp::exp(4 * random.uniform(i, field + 1) - 2));
       }
-      bar.process(drive, out);
+      bar.process(curves.drive(1), out);
       const double after = energy(bar.state());
       if (!hit) worst = std::max(worst, after / before - 1);
       before = after;
@@ -178,18 +184,18 @@ TEST_CASE("energy never grows, whatever k, b and c do from sample to sample") {
 TEST_CASE("a bar that has died away sleeps with exact zeros and wakes like a new one") {
   const ToolDesign design = design_tool(model_of({0.5, 0.025}), 48000);
   BarLoops bar(design, 800, widest_lanes());
-  BarDrive strike = drive_with(0.89, 0.94);
+  Curves strike(0.89, 0.94);
   strike.x[5] = 1;
-  const BarDrive rest = drive_with(0.89, 0.94);
+  const Curves rest(0.89, 0.94);
   double first[kChunk], out[kChunk], again[kChunk];
-  bar.process(strike, first);
+  bar.process(strike.drive(), first);
   int chunks = 0;
-  while (!bar.asleep() && chunks < 5000) bar.process(rest, out), ++chunks;
+  while (!bar.asleep() && chunks < 5000) bar.process(rest.drive(), out), ++chunks;
   CHECK(chunks > 100);
   CHECK(chunks < 1000);
-  bar.process(rest, out);
+  bar.process(rest.drive(), out);
   for (const double sample : out) CHECK(sample == 0);
   CHECK(energy(bar.state()) == 0);
-  bar.process(strike, again);
+  bar.process(strike.drive(), again);
   for (int n = 0; n < kChunk; ++n) CHECK(again[n] == first[n]);
 }
