@@ -137,9 +137,11 @@ class Search {
   DesignedLoop run() {
     const int lowest = std::max(task_.lowest_order,
                                 half_turns_ - static_cast<int>(std::floor(task_.spare_delay * round_trip_)));
-    for (int order = lowest; order <= highest_order_; ++order)
+    for (int order = lowest; order <= highest_order_; ++order) {
+      if (order > task_.preferred_order && reached(task_, best_.error, task_.cents_limit)) break;
       for (const int more : {0, 1, -1, -2})
         if (attempt(order, half_turns_ + more - order)) return best_;
+    }
     if (!reached(task_, best_.error, task_.cents_limit))
       throw std::invalid_argument("length_m: no loop of order " + std::to_string(highest_order_) +
                                   " tunes this bar, expected 0.3...1 m and 15...50 mm");

@@ -11,10 +11,10 @@ struct LoopTask {
   LoopFilters filters;                ///< already chosen; their lag is part of what the allpass makes up for
   double k_min = 0.83, k_max = 0.89;  ///< poles are tuned half-way between
   double cents = 0.3;                 ///< aim for the worst mode
-  double cents_limit = 1.0;           ///< what is accepted when the aim cannot be had within max_order
+  double cents_limit = 1.0;           ///< accepted when the aim is not reached within preferred_order
   double decay_share = 0.03;          ///< worst deviation of a mode's T60 from that of the ideal loop
   double between_weight = 0.05;       ///< of the lag half-way between modes, which keeps the decays even
-  int lowest_order = 2, max_order = 2 * kMaxSections;
+  int lowest_order = 2, preferred_order = 30, max_order = 2 * kMaxSections;
   double spare_delay = 0.8;  ///< search starts with this share of the top round trip left to the delay line
 };
 

@@ -35,6 +35,7 @@ LoopTask longitudinal_task(const ToolModel& model, double sample_rate) {
   task.decay_share = 0.10;
   task.between_weight = 0.02;
   task.lowest_order = 1;
+  task.preferred_order = 5;
   task.max_order = 2 * kMaxLongSections;
   task.spare_delay = 1e3;
   return task;
