@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
 
 #include "rig/sections.hpp"
 #include "rigsound/config/sound_set_files.hpp"
 #include "rigsound/input_error.hpp"
-#include "text/nearest_word.hpp"
+#include "text/read_text.hpp"
 
 namespace rigsound::config {
 namespace {
@@ -61,8 +62,10 @@ void read_sound(TomlTable table, const std::filesystem::path& folder, Rig& rig) 
 
 }  // namespace
 
-Rig load_rig(const std::filesystem::path& file) {
-  TomlTable root = TomlTable::read(file);
+Rig load_rig(const std::filesystem::path& file) { return parse_rig(read_text(file), file); }
+
+Rig parse_rig(std::string_view text, const std::filesystem::path& file) {
+  TomlTable root = TomlTable::parse(text, file.string());
   const std::filesystem::path folder = file.parent_path();
   Rig rig;
   rig.file = file;
@@ -76,7 +79,7 @@ Rig load_rig(const std::filesystem::path& file) {
   rig.engine.channels = rig.audio.channels;
   rig.engine.booms = std::move(booms.options);
   rig.engine.scene = read_scene(root.table("scene"));
-  rig.engine.mix = read_mix(root.table("mix"));
+  rig.engine.mix = read_mix(root.table("mix"), rig.audio.rate);
   for (TomlTable& table : root.tables("can")) rig.can.push_back(read_can(table, folder, rig.engine.booms));
   for (TomlTable& table : root.tables("modbus")) rig.modbus.push_back(read_modbus(table, rig.engine.booms));
   rig.safety = read_safety(root.table("safety"), stale_defaults(rig));
@@ -108,6 +111,14 @@ SoundSet load_sounds(Rig& rig) {
     rig.engine.booms[i].tool = static_cast<int>(found - sounds.tools.begin());
   }
   return sounds;
+}
+
+Engine build_engine(const Rig& rig, SoundSet sounds) {
+  try {
+    return Engine(rig.engine, std::move(sounds));
+  } catch (const std::invalid_argument& error) {
+    throw InputError(rig.sound_set.string(), std::string("cannot be played: ") + error.what());
+  }
 }
 
 std::string signal_label(const Rig& rig, SignalId id) {

@@ -14,7 +14,7 @@ namespace rigsound::config {
 
 audio::AudioOptions read_audio(TomlTable table);
 SceneOptions read_scene(TomlTable table);
-MixOptions read_mix(TomlTable table);
+MixOptions read_mix(TomlTable table, double sample_rate);
 ControlOptions read_control(TomlTable table);
 
 struct Booms {

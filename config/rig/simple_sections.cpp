@@ -1,4 +1,6 @@
 // [audio] [[boom]] [scene] [mix] [control]: numbers with ranges, nothing that depends on other files.
+#include <algorithm>
+
 #include "rig/sections.hpp"
 #include "sound_set/names.hpp"
 
@@ -75,7 +77,8 @@ SceneOptions read_scene(TomlTable table) {
   return scene;
 }
 
-MixOptions read_mix(TomlTable table) {
+MixOptions read_mix(TomlTable table, double sample_rate) {
+  const double highest_hz = std::min(20000.0, 0.45 * sample_rate);
   MixOptions mix;
   mix.drill_db = table.number("drill_db", mix.drill_db, -60, 24);
   mix.tool_db = table.number("tool_db", mix.tool_db, -60, 24);
@@ -83,7 +86,7 @@ MixOptions read_mix(TomlTable table) {
   mix.ceiling_dbfs = table.number("ceiling_dbfs", mix.ceiling_dbfs, -60, 0);
   for (TomlTable& band : table.tables("equaliser")) {
     EqualiserBand b;
-    b.frequency_hz = band.number("frequency_hz", b.frequency_hz, 20, 20000);
+    b.frequency_hz = band.number("frequency_hz", b.frequency_hz, 20, highest_hz);
     b.gain_db = band.number("gain_db", b.gain_db, -24, 24);
     b.q = band.number("q", b.q, 0.1, 10);
     band.refuse_unknown();

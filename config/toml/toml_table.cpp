@@ -36,14 +36,14 @@ TomlTable::TomlTable(std::shared_ptr<const std::string> file, std::shared_ptr<co
                      std::string path)
     : file_(std::move(file)), table_(std::move(table)), path_(std::move(path)) {}
 
-TomlTable TomlTable::read(const std::filesystem::path& file) {
-  auto name = std::make_shared<const std::string>(file.string());
+TomlTable TomlTable::read(const std::filesystem::path& file) { return parse(read_text(file), file.string()); }
+
+TomlTable TomlTable::parse(std::string_view text, const std::string& file) {
   try {
-    auto table = std::make_shared<const toml::table>(toml::parse(read_text(file), *name));
-    return TomlTable(std::move(name), std::move(table), {});
+    auto table = std::make_shared<const toml::table>(toml::parse(text, file));
+    return TomlTable(std::make_shared<const std::string>(file), std::move(table), {});
   } catch (const toml::parse_error& error) {
-    throw InputError(*name, static_cast<int>(error.source().begin.line), {},
-                     std::string(error.description()));
+    throw InputError(file, static_cast<int>(error.source().begin.line), {}, std::string(error.description()));
   }
 }
 

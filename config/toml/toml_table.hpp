@@ -24,6 +24,7 @@ class TomlTable {
  public:
   /// Parses a whole file. Errors: InputError with the line of the mistake.
   static TomlTable read(const std::filesystem::path& file);
+  static TomlTable parse(std::string_view text, const std::string& file);  ///< `file` is for messages
 
   bool has(std::string_view key) const { return table_->contains(key); }
   double number(std::string_view key, double otherwise, double min, double max);

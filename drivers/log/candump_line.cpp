@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::uint32_t kErrorFlag = 0x20000000;
 constexpr std::uint32_t kExtendedMask = 0x1FFFFFFF, kStandardMask = 0x7FF;
-constexpr std::size_t kMaxSecondDigits = 10;
-constexpr std::size_t kMaxInterface = 15;  // IFNAMSIZ without its zero
+constexpr std::int64_t kMaxSeconds = 9000000000;  // the year 2255; nanoseconds fit into 63 bits
+constexpr std::size_t kMaxInterface = 15;         // IFNAMSIZ without its zero
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -65,16 +65,24 @@ class Cursor {
   std::string_view text_;
 };
 
+std::optional<std::int64_t> whole_number(std::string_view digits, std::int64_t max) {
+  if (digits.empty()) return std::nullopt;
+  std::int64_t value = 0;
+  for (const char c : digits) {
+    value = value * 10 + (c - '0');
+    if (value > max) return std::nullopt;
+  }
+  return value;
+}
+
 std::optional<std::int64_t> parse_time(Cursor& at) {
   if (!at.eat('(')) return std::nullopt;
-  const std::string_view seconds = at.digits();
-  if (seconds.empty() || seconds.size() > kMaxSecondDigits || !at.eat('.')) return std::nullopt;
-  const std::string_view fraction = at.digits();
-  if ((fraction.size() != 6 && fraction.size() != 9) || !at.eat(')')) return std::nullopt;
-  std::int64_t ns = 0;
-  for (const char c : seconds) ns = ns * 10 + (c - '0');
-  for (const char c : fraction) ns = ns * 10 + (c - '0');
-  return fraction.size() == 6 ? ns * 1000 : ns;
+  const auto seconds = whole_number(at.digits(), kMaxSeconds);
+  if (!seconds || !at.eat('.')) return std::nullopt;
+  const std::string_view digits = at.digits();
+  const auto fraction = whole_number(digits, 999999999);
+  if (!fraction || (digits.size() != 6 && digits.size() != 9) || !at.eat(')')) return std::nullopt;
+  return *seconds * 1000000000 + (digits.size() == 6 ? *fraction * 1000 : *fraction);
 }
 
 bool parse_data(Cursor& at, can::Frame& frame, int most) {

@@ -97,7 +97,8 @@ class Decode(Case):
     def test_real_log(self):
         log = DATA / 'can/j1939_bike_218s.log'
         if not log.exists():
-            self.skipTest(f'{log} is not there')
+            print(f'\nSKIPPED: real CAN log: {log} is not there', flush=True)
+            self.skipTest('no data')
         rig = self.write('rig.toml', MINIMAL.format(dbc=(DATA / 'dbc/j1939.dbc').resolve(), signal='EEC1.EngSpeed'))
         result = run('decode', rig, '--log', log)
         self.assertEqual(result.returncode, 0, result.stderr)

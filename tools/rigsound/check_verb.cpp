@@ -67,7 +67,7 @@ void check(const std::string& file) {
   const std::string summary = fmt::format(
       "sound set {}: {} banks, {} clicks, {} rocks, {} tools, {} backgrounds\n", rig.sound_set.string(),
       sounds.banks.size(), clicks, sounds.rocks.size(), sounds.tools.size(), sounds.backgrounds.size());
-  const Engine engine(rig.engine, std::move(sounds));  // builds every table the daemon would
+  const Engine engine = config::build_engine(rig, std::move(sounds));  // builds every table the daemon would
   fmt::print("ok\n");
   fmt::print("audio {}: {:g} Hz, {} channels, blocks of {} frames ({:.2f} ms), {} periods\n",
              rig.audio.device, rig.audio.rate, rig.audio.channels, rig.audio.block,

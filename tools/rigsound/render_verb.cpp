@@ -38,7 +38,7 @@ void render(const config::Rig& rig, Engine engine, audio::StateSource& states, a
 
 Engine build_engine(config::Rig& rig) {
   SoundSet sounds = config::load_sounds(rig);
-  return {rig.engine, std::move(sounds)};
+  return config::build_engine(rig, std::move(sounds));
 }
 
 void render_log(const Options& options) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "rigsound/audio/audio_options.hpp"
@@ -38,9 +39,16 @@ struct Rig {
 /// shows. Paths in the file are relative to its folder. Errors: InputError. Thread: OFF.
 Rig load_rig(const std::filesystem::path& file);
 
+/// The same from text; `file` is for messages and for paths relative to its folder.
+Rig parse_rig(std::string_view text, const std::filesystem::path& file);
+
 /// Reads the rig's sound set at the rig's rate and finds the steel of each boom in it.
 /// Errors: InputError, also when the rig names no sound set. Thread: OFF.
 SoundSet load_sounds(Rig& rig);
+
+/// The engine of the rig with the sounds of load_sounds. Errors: InputError naming the sound set when the
+/// engine cannot play it. Thread: OFF.
+Engine build_engine(const Rig& rig, SoundSet sounds);
 
 /// "engine_rpm", "feed_pressure_bar" of the first boom, "NAME.feed_pressure_bar" of another.
 std::string signal_label(const Rig& rig, SignalId id);

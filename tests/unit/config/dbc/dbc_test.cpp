@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdio>
 #include <vector>
 
 #include "rigsound/can/signal_reading.hpp"
@@ -211,7 +212,7 @@ TEST_CASE("what is wrong is said with line, section and what was expected") {
 TEST_CASE("real files: every message and signal their lines declare") {
   const std::filesystem::path folder = std::filesystem::path(RIGSOUND_SHARED_DATA) / "dbc";
   if (!std::filesystem::exists(folder)) {
-    MESSAGE("skipped: ", folder.string(), " is not there");
+    std::printf("SKIPPED: real DBC files: %s is not there\n", folder.c_str());
     return;
   }
   for (const char* name : {"j1939.dbc", "vw_mqb.dbc", "comma_body.dbc"}) {

@@ -97,7 +97,8 @@ TEST_CASE("anything else is no frame") {
                            "(1.000000) can0 123#00 X",
                            "(1.000000) can0 123#00 R T",
                            "(1.000000) averyveryverylonginterface 123#00",
-                           "(99999999999.000000) can0 123#00"}) {
+                           "(99999999999.000000) can0 123#00",
+                           "(9552765716.818982) can0 123#00"}) {
     INFO(line);
     CHECK(kind(line) == CandumpLine::kOther);
   }
