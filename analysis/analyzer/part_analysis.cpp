@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bank/segment.hpp"
 #include "rigsound/input_error.hpp"
 
 namespace rigsound::analysis {
@@ -57,8 +58,7 @@ PartAnalysis analyse_part(const Part& part, const Recording& recording, const An
   chain.denoise = options.denoise;
   for (const std::vector<float>& segment : analysis.recorded)
     analysis.segments.push_back(run_chain(segment, chain));
-  const auto found = [](const ChainResult& s) { return s.drilling_found; };
-  if (std::none_of(analysis.segments.begin(), analysis.segments.end(), found))
+  if (std::none_of(analysis.segments.begin(), analysis.segments.end(), has_drilling))
     throw InputError(title(part), fmt::format("no drilling found ({}), expected percussive drilling",
                                               analysis.segments.front().reason));
   analysis.built = build_bank(analysis.segments, options.method, options.clicks, title(part));

@@ -49,7 +49,7 @@ AnalysedPart analyse(const Task& task, const std::string& sha256, const Analyzer
   AnalysedPart analysed{
       task.part, false, bank.T_0, static_cast<int>(bank.clicks.size()), analysis.built.figures, {}};
   const std::string section =
-      options.report == ReportSections::kWrite ? report_section(task.part, analysis) : std::string();
+      options.report == ReportSections::kWrite ? report_section(analysis) : std::string();
   save_part(analysed, bank, sha256, section, options);
   return analysed;
 }

@@ -20,13 +20,6 @@ constexpr double kLtasRangeDb = 50, kModulationRangeDb = 35;
 constexpr double kProofSeconds = 4;
 constexpr std::uint64_t kProofSeed = 11;  // not one the equaliser listened to
 
-Segments with_drilling(const Segments& segments) {
-  Segments drilling;
-  for (const ChainResult& s : segments)
-    if (s.drilling_found && static_cast<int>(s.clicks.P.size()) >= kFewestClicks) drilling.push_back(s);
-  return drilling;
-}
-
 std::vector<std::vector<float>> extract_masked(const Segments& segments,
                                                const std::vector<ClickCandidate>& candidates,
                                                const std::vector<std::size_t>& chosen) {

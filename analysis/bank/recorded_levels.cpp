@@ -9,7 +9,7 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr double kMaxGivenBackDb = 9, kMinSnrDb = -5;
+constexpr double kMaxGivenBackDb = 9, kMinSnrDb = -10;
 constexpr double kLowestHz = 200;    // below, a band is narrower than two bins of the model
 constexpr double kPausePeriods = 3;  // a longer gap is a pause, not a missed strike
 

@@ -2,36 +2,68 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace rigsound::analysis {
 namespace {
 
 constexpr double kShortest = 0.6, kLongest = 1.5;  // of the median: what counts as one plain gap
-constexpr double kSteady = 0.002;  // sigma_T / T_0 below which only rounding is left to correlate
+constexpr double kWholeSlack = 0.25;  // of the median: two parts of one gap add up to it within this
+constexpr double kDoubleGap = 0.45;   // the share of a gap the engine leaves before a double strike
+constexpr double kSteady = 0.002;     // sigma_T / T_0 below which only rounding is left to correlate
 constexpr double kMaxCorrelation = 0.9;
 
-using Accept = std::function<bool(double)>;
+enum class Kind { kPlain, kMissed, kDoubled };
 
 struct Moments {
-  double mean = 0, deviation = 0, correlation = 0;  ///< lag-1, between accepted neighbours
+  double mean = 0, deviation = 0, correlation = 0;  ///< lag-1, between plain neighbours
 };
 
-Moments moments(const Series<double>& series, const Accept& accept) {
+/// Of the plain values only; `kinds` has the shape of `series`.
+Moments moments(const Series<double>& series, const Series<Kind>& kinds) {
   double count = 0, sum = 0, squares = 0, pairs = 0, products = 0;
-  for (const auto& s : series)
-    for (const double v : s)
-      if (accept(v)) sum += v, ++count;
+  const auto plain = [&](std::size_t s, std::size_t i) { return kinds[s][i] == Kind::kPlain; };
+  for (std::size_t s = 0; s < series.size(); ++s)
+    for (std::size_t i = 0; i < series[s].size(); ++i)
+      if (plain(s, i)) sum += series[s][i], ++count;
   const double mean = sum / count;
-  for (const auto& s : series)
-    for (std::size_t i = 0; i < s.size(); ++i) {
-      if (!accept(s[i])) continue;
-      squares += (s[i] - mean) * (s[i] - mean);
-      if (i + 1 < s.size() && accept(s[i + 1])) products += (s[i] - mean) * (s[i + 1] - mean), ++pairs;
+  for (std::size_t s = 0; s < series.size(); ++s)
+    for (std::size_t i = 0; i < series[s].size(); ++i) {
+      if (!plain(s, i)) continue;
+      const double d = series[s][i] - mean;
+      squares += d * d;
+      if (i + 1 < series[s].size() && plain(s, i + 1)) products += d * (series[s][i + 1] - mean), ++pairs;
     }
   const double variance = squares / count;
   const double correlation = variance > 0 && pairs > 0 ? products / pairs / variance : 0;
   return {mean, std::sqrt(variance), std::clamp(correlation, -kMaxCorrelation, kMaxCorrelation)};
+}
+
+Series<Kind> all_plain(const Series<double>& series) {
+  Series<Kind> kinds;
+  for (const auto& s : series) kinds.emplace_back(s.size(), Kind::kPlain);
+  return kinds;
+}
+
+/// A double strike cuts one gap into a short one and the rest: the rest is no plain gap either, however long.
+std::vector<Kind> kinds_of(const std::vector<double>& gaps, double T) {
+  std::vector<Kind> kinds;
+  for (const double g : gaps) kinds.push_back(g >= kLongest * T ? Kind::kMissed : Kind::kPlain);
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    if (gaps[i] > kShortest * T || kinds[i] == Kind::kDoubled) continue;
+    kinds[i] = Kind::kDoubled;
+    if (i + 1 < gaps.size() && std::fabs(gaps[i] + gaps[i + 1] - T) < kWholeSlack * T)
+      kinds[i + 1] = Kind::kDoubled;
+  }
+  return kinds;
+}
+
+/// Periods by which the doubled gaps fall short of one each, over the number of gaps.
+double shortfall(const Series<double>& gaps, const Series<Kind>& kinds, double T) {
+  double missing = 0, count = 0;
+  for (std::size_t s = 0; s < gaps.size(); ++s)
+    for (std::size_t i = 0; i < gaps[s].size(); ++i, ++count)
+      if (kinds[s][i] == Kind::kDoubled) missing += std::max(0.0, 1 - gaps[s][i] / T);
+  return missing / count;
 }
 
 Series<double> gaps_of(const Series<int>& onsets) {
@@ -51,37 +83,39 @@ double median(const Series<double>& series) {
   return all.size() % 2 ? all[half] : 0.5 * (all[half - 1] + all[half]);
 }
 
-double share(const Series<double>& series, const Accept& accept) {
+double share(const Series<Kind>& kinds, Kind wanted) {
   double hits = 0, count = 0;
-  for (const auto& s : series)
-    for (const double v : s) hits += accept(v) ? 1 : 0, ++count;
+  for (const auto& s : kinds)
+    for (const Kind kind : s) hits += kind == wanted ? 1 : 0, ++count;
   return hits / count;
 }
-
-bool any(double) { return true; }
 
 }  // namespace
 
 void set_gap_statistics(const Series<int>& onsets, ClickBank& bank) {
   const Series<double> gaps = gaps_of(onsets);
   const double T = median(gaps);
-  const Moments m = moments(gaps, [T](double g) { return g > kShortest * T && g < kLongest * T; });
+  Series<Kind> kinds;
+  for (const auto& g : gaps) kinds.push_back(kinds_of(g, T));
+  const Moments m = moments(gaps, kinds);
   bank.T_0 = m.mean;
   bank.sigma_T = m.deviation;
   bank.r_T = m.deviation > kSteady * m.mean ? m.correlation : 0;
-  bank.p_miss = share(gaps, [T](double g) { return g >= kLongest * T; });
-  bank.p_double = share(gaps, [T](double g) { return g <= kShortest * T; });
+  bank.p_miss = share(kinds, Kind::kMissed);
+  // The engine plays a double strike as one short gap before a whole one: this share keeps the mean rate.
+  bank.p_double = std::min(shortfall(gaps, kinds, m.mean) / (1 - kDoubleGap), 1 - bank.p_miss);
 }
 
 void set_plain_gap_statistics(const Series<int>& onsets, ClickBank& bank) {
-  const Moments m = moments(gaps_of(onsets), any);
+  const Series<double> gaps = gaps_of(onsets);
+  const Moments m = moments(gaps, all_plain(gaps));
   bank.T_0 = m.mean;
   bank.sigma_T = m.deviation;
   bank.r_T = bank.p_miss = bank.p_double = 0;
 }
 
 void set_amplitude_statistics(const Series<double>& norms, ClickBank& bank) {
-  const Moments m = moments(norms, any);
+  const Moments m = moments(norms, all_plain(norms));
   bank.B = m.mean;
   bank.sigma_B = m.deviation;
   bank.r_B = m.correlation;

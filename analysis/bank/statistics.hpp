@@ -11,8 +11,9 @@ namespace rigsound::analysis {
 template <class Value>
 using Series = std::vector<std::vector<Value>>;
 
-/// Sets T_0, sigma_T and r_T from the gaps within 0.6...1.5 of the median, p_miss and p_double from the rest.
-/// `onsets` in samples, at least one segment with two of them. Thread: OFF.
+/// Sets T_0, sigma_T and r_T from the gaps within 0.6...1.5 of the median that are no rest of a doubled one,
+/// p_miss and p_double from the others. `onsets` in samples, at least one segment with two of them. Thread:
+/// OFF.
 void set_gap_statistics(const Series<int>& onsets, ClickBank& bank);
 
 /// Mean and standard deviation over all gaps, as printed (parentheses of erratum 15 added). Thread: OFF.

@@ -7,7 +7,8 @@
 
 namespace rigsound::analysis {
 
-/// HTML of one section, with inline SVG and images, for report_page(). Thread: OFF.
-std::string report_section(const Part& part, const PartAnalysis& analysis);
+/// The charts of one bank as HTML, for write_report(). Shows the first segment in which drilling was found.
+/// Thread: OFF.
+std::string report_section(const PartAnalysis& analysis);
 
 }  // namespace rigsound::analysis

@@ -77,6 +77,8 @@ def resynthesis(program, clip):
                 write_wave(at('learn.wav'), mix)
                 bank = program.analyze(at('learn.wav'), at('noisy'))[0]
                 if bank:
-                    here = scores.synthesis_scores(original, program.resynth(bank, at('out.wav'), 8, clip)[0])
-                    result.update({'%s@%ddB' % (k, snr): v for k, v in here.items()})
+                    sound, noise = program.resynth(bank, at('out.wav'), 8, clip)[0], read_wave(stem + '_bg.wav')
+                    heard = scores.audible(original, noise * 10 ** (-snr / 20))
+                    result['ltas@%ddB' % snr] = scores.ltas_distance(original, sound, heard)
+                    result['ltas_all@%ddB' % snr] = scores.ltas_distance(original, sound)
     return result

@@ -94,12 +94,22 @@ def gap_distance(truth, synthetic):
     return 100 * float(np.mean(np.abs(np.quantile(a, q) - np.quantile(b, q)))) / float(np.median(a))
 
 
+def audible(original, noise):
+    """Bands from 200 Hz in which the drilling was at most 5 dB below the noise it was learned in."""
+    return (third_octave_db(original) - third_octave_db(noise) >= -5) & (np.arange(25) >= 5)
+
+
+def ltas_distance(original, synthetic, where=True):
+    """Mean difference of the third-octave levels within 50 dB of the loudest, their mean taken away."""
+    a, b = third_octave_db(original), third_octave_db(synthetic)
+    difference = (b - a)[(a > a.max() - 50) & where]
+    return float(np.mean(np.abs(difference - difference.mean())))
+
+
 def synthesis_scores(original, synthetic):
-    third, mod = (third_octave_db(original), third_octave_db(synthetic)), (modulation_db(original), modulation_db(synthetic))
-    loud = third[0] > third[0].max() - 50
-    difference = (third[1] - third[0])[loud]
+    mod = modulation_db(original), modulation_db(synthetic)
     moving = mod[0] > mod[0].max() - 35
     return dict(level=abs(10 * np.log10(np.mean(synthetic ** 2) / np.mean(original ** 2))),
-                ltas=float(np.mean(np.abs(difference - difference.mean()))),
+                ltas=ltas_distance(original, synthetic),
                 mod=float(np.mean(np.abs(mod[1] - mod[0])[moving])),
                 crest=abs(crest_db(synthetic) - crest_db(original)))

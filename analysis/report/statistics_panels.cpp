@@ -1,0 +1,91 @@
+// Panels that show figures: histograms and spectra.
+#include <algorithm>
+#include <cmath>
+
+#include "bank/candidates.hpp"
+#include "bank/recorded_levels.hpp"
+#include "dsp/elementary.hpp"
+#include "report/panels.hpp"
+#include "report/plot.hpp"
+
+namespace rigsound::analysis {
+namespace {
+
+constexpr int kBins = 30;
+
+/// Density of the lognormal with that mean and standard deviation.
+double lognormal_density(double v, double mean, double deviation) {
+  const double s2 = std::log1p(deviation * deviation / (mean * mean)), mu = std::log(mean) - 0.5 * s2;
+  const double z = (std::log(v) - mu) / std::sqrt(s2);
+  return std::exp(-0.5 * z * z) / (v * std::sqrt(dsp::kTwoPi * s2));
+}
+
+/// Histogram of `values` with the lognormal the engine draws from.
+std::string histogram(const char* title, const char* unit, const std::vector<double>& values, double mean,
+                      double deviation) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double from = 0.9 * *low, to = 1.1 * *high, width = (to - from) / kBins;
+  std::vector<double> edges, share(kBins, 0.0), x, y;
+  for (int b = 0; b <= kBins; ++b) edges.push_back(from + b * width);
+  for (const double v : values)
+    share[std::min(static_cast<std::size_t>((v - from) / width), share.size() - 1)] +=
+        1 / static_cast<double>(values.size());
+  for (int i = 0; i <= 4 * kBins; ++i) {
+    x.push_back(from + i * width / 4);
+    y.push_back(deviation > 1e-6 * mean ? width * lognormal_density(x.back(), mean, deviation) : 0);
+  }
+  const double top = 1.1 * *std::max_element(share.begin(), share.end());
+  Plot plot(title, linear_axis(unit, from, to), linear_axis("share", 0, top, 4));
+  plot.bars(edges, share, "first");
+  plot.line(x, y, "third");
+  plot.legend("measured", "first");
+  plot.legend("drawn by the engine", "third");
+  return plot.svg();
+}
+
+std::string spectrum(const char* title, Axis x, const BandLevels& recorded, const BandLevels& synthesised,
+                     double range_db) {
+  const double loudest = *std::max_element(recorded.level_db.begin(), recorded.level_db.end());
+  Plot plot(title, std::move(x), linear_axis("dB", loudest - range_db, loudest + 6));
+  plot.line(recorded.centre_hz, recorded.level_db, "first");
+  plot.line(synthesised.centre_hz, synthesised.level_db, "third");
+  plot.legend("recorded", "first");
+  plot.legend("resynthesised", "third");
+  return plot.svg();
+}
+
+}  // namespace
+
+std::string gap_panel(const Segments& segments, const ClickBank& bank) {
+  std::vector<double> gaps;
+  for (const ChainResult& s : segments)
+    for (std::size_t i = 1; i < s.clicks.P.size(); ++i)
+      gaps.push_back(1e3 * (s.clicks.P[i] - s.clicks.P[i - 1]) / kAnalysisRate);
+  return histogram("Gaps between clicks", "ms", gaps, 1e3 * bank.T_0 / bank.sample_rate,
+                   1e3 * bank.sigma_T / bank.sample_rate);
+}
+
+std::string amplitude_panel(const Segments& segments, const ClickBank& bank) {
+  std::vector<double> norms;
+  double mean = 0;
+  for (const ClickCandidate& c : click_candidates(segments)) norms.push_back(c.norm);
+  for (const double v : norms) mean += v / static_cast<double>(norms.size());
+  for (double& v : norms) v /= mean;
+  return histogram("Amplitudes of clicks", "over their mean", norms, 1, bank.sigma_B / bank.B);
+}
+
+std::string third_octave_panel(const Segments& segments, const std::vector<float>& synthesis) {
+  return spectrum("Third-octave levels",
+                  frequency_axis("Hz", 60, 16500, {63, 125, 250, 500, 1000, 2000, 4000, 8000, 16000}),
+                  recorded_levels(segments, Levels::kGivenBack), third_octave_levels(synthesis), 60);
+}
+
+std::string modulation_panel(const Segments& segments, const std::vector<float>& synthesis) {
+  const auto longest = std::max_element(segments.begin(), segments.end(), [](const auto& a, const auto& b) {
+    return a.drilling.size() < b.drilling.size();
+  });
+  return spectrum("Modulation spectrum", frequency_axis("Hz", 1, 260, {1, 2, 4, 8, 16, 32, 64, 128, 256}),
+                  modulation_levels(longest->drilling), modulation_levels(synthesis), 45);
+}
+
+}  // namespace rigsound::analysis
