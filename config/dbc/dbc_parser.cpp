@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "dbc/dbc_attributes.hpp"
 #include "dbc/dbc_cursor.hpp"
 #include "dbc/dbc_multiplexing.hpp"
+#include "dbc/dbc_signal_line.hpp"
 #include "rigsound/config/dbc.hpp"
 #include "text/read_text.hpp"
 
@@ -13,44 +13,8 @@ namespace {
 
 constexpr std::int64_t kExtendedBit = 0x80000000, kIdentifierMask = 0x1FFFFFFF;
 constexpr std::int64_t kMaxRawId = 0xFFFFFFFF;
-constexpr double kMostRaw = 9e18;  // what a 64 bit key holds
+constexpr double kMostRaw = 9e18;                     // what a 64 bit key holds
 constexpr std::int64_t kUnboundSignals = 0xC0000000;  // the pseudo message of signals that no message carries
-
-/// What the NS_ section of a file may list; the words that begin a section.
-constexpr std::array<std::string_view, 30> kSections = {"VERSION",
-                                                        "NS_",
-                                                        "BS_",
-                                                        "BU_",
-                                                        "BO_",
-                                                        "SG_",
-                                                        "CM_",
-                                                        "BA_DEF_",
-                                                        "BA_",
-                                                        "VAL_",
-                                                        "VAL_TABLE_",
-                                                        "BA_DEF_DEF_",
-                                                        "SIG_VALTYPE_",
-                                                        "SG_MUL_VAL_",
-                                                        "BO_TX_BU_",
-                                                        "EV_",
-                                                        "ENVVAR_DATA_",
-                                                        "SGTYPE_",
-                                                        "SGTYPE_VAL_",
-                                                        "SIG_GROUP_",
-                                                        "BA_DEF_REL_",
-                                                        "BA_REL_",
-                                                        "BA_DEF_DEF_REL_",
-                                                        "CAT_DEF_",
-                                                        "CAT_",
-                                                        "FILTER",
-                                                        "SIG_TYPE_REF_",
-                                                        "EV_DATA_",
-                                                        "BU_SG_REL_",
-                                                        "NS_DESC_"};
-
-bool is_section(std::string_view word) {
-  return std::find(kSections.begin(), kSections.end(), word) != kSections.end();
-}
 
 class Parser {
  public:
@@ -94,7 +58,7 @@ class Parser {
   // An unknown section ends with a semicolon, or where a line begins with a section that we know.
   void skip() {
     while (!at_.at_end()) {
-      if (at_.peek().first_in_line && at_.at_word() && is_section(at_.peek().text)) return;
+      if (at_.peek().first_in_line && at_.at_word() && is_dbc_section(at_.peek().text)) return;
       if (at_.take_sign(';')) return;
       at_.take();
     }
@@ -117,7 +81,7 @@ class Parser {
   // A word followed by a number or a string is the name of an unknown section, not a node.
   void nodes() {
     at_.expect_sign(':');
-    while (at_.at_word() && !is_section(at_.peek().text)) {
+    while (at_.at_word() && !is_dbc_section(at_.peek().text)) {
       const DbcToken::Kind next = at_.peek(1).kind;
       if (next == DbcToken::Kind::kNumber || next == DbcToken::Kind::kString) return;
       dbc_.nodes.push_back(at_.expect_word("a node"));
@@ -136,55 +100,17 @@ class Parser {
     message.name = at_.expect_word("the name of a message");
     at_.expect_sign(':');
     message.size = static_cast<int>(at_.expect_integer("the size of a message in bytes", 0, 1785));
-    if (at_.at_word() && !is_section(at_.peek().text)) message.senders.push_back(at_.expect_word("a node"));
+    if (at_.at_word() && !is_dbc_section(at_.peek().text))
+      message.senders.push_back(at_.expect_word("a node"));
     std::map<std::string, DbcMux> mux;
     while (at_.at_word() && at_.peek().text == "SG_") {
       at_.enter(at_.take().text);
-      message.signals.push_back(signal(mux));
+      message.signals.push_back(read_signal_line(at_, mux));
     }
     if (id == kUnboundSignals) return;
     raw_ids_.push_back(id);
     mux_.push_back(std::move(mux));
     dbc_.messages.push_back(std::move(message));
-  }
-
-  DbcSignal signal(std::map<std::string, DbcMux>& mux) {
-    DbcSignal signal;
-    signal.line = at_.peek().line;
-    signal.name = at_.expect_word("the name of a signal");
-    if (at_.at_word() && !parse_mux(at_.take().text, mux[signal.name]))
-      at_.fail("signal " + signal.name + " has a wrong multiplexing word, expected M, m0, m0M, ...");
-    at_.expect_sign(':');
-    signal.layout = layout();
-    at_.expect_sign('[');
-    signal.min = at_.expect_number("the least value");
-    at_.expect_sign('|');
-    signal.max = at_.expect_number("the greatest value");
-    at_.expect_sign(']');
-    signal.unit = at_.expect_string("a unit in quotes");
-    while ((at_.at_word() && !is_section(at_.peek().text)) || at_.at_sign(',')) at_.take();  // receivers
-    return signal;
-  }
-
-  // start|length@order sign (scale,offset)
-  can::SignalLayout layout() {
-    can::SignalLayout layout;
-    layout.field.start_bit = static_cast<int>(at_.expect_integer("a start bit", 0, 1785 * 8 - 1));
-    at_.expect_sign('|');
-    layout.field.length = static_cast<int>(at_.expect_integer("a length in bits", 1, 1785 * 8));
-    at_.expect_sign('@');
-    const bool intel = at_.expect_integer("a byte order, 0 or 1,", 0, 1) == 1;
-    layout.field.order = intel ? can::ByteOrder::kIntel : can::ByteOrder::kMotorola;
-    if (at_.take_sign('-'))
-      layout.type = can::ValueType::kSigned;
-    else
-      at_.expect_sign('+');
-    at_.expect_sign('(');
-    layout.scale = at_.expect_number("a scale");
-    at_.expect_sign(',');
-    layout.offset = at_.expect_number("an offset");
-    at_.expect_sign(')');
-    return layout;
   }
 
   void comment() {
