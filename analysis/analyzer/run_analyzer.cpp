@@ -8,7 +8,7 @@
 #include "analyzer/finished_bank.hpp"
 #include "analyzer/part_analysis.hpp"
 #include "analyzer/part_list.hpp"
-#include "analyzer/sound_set_lock.hpp"
+#include "analyzer/run_lock.hpp"
 #include "analyzer/source.hpp"
 #include "bank/lint.hpp"
 #include "report/report_section.hpp"
@@ -98,7 +98,7 @@ void merge(const std::vector<AnalysedPart>& banks, const fs::path& sound_set) {
         std::find(additions.rocks.begin(), additions.rocks.end(), label.rock) == additions.rocks.end())
       additions.rocks.push_back(label.rock);
   }
-  FolderLock lock(sound_set, ".index.lock");
+  FileLock lock(sound_set / ".index.lock");
   lock.wait_exclusive();
   config::merge_index(sound_set, additions);
 }
