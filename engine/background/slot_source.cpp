@@ -24,7 +24,8 @@ SlotSource::SlotSource(const BackgroundModel& model, double sample_rate, std::ui
 }
 
 void SlotSource::produce(const OperatingGrid& grid, const GridPlace& place, double f, double* out) noexcept {
-  const int slot = static_cast<int>(frame_ % static_cast<std::uint64_t>(L_));
+  // Frame t spans the hops t - 1 and t; the hop that comes out now began with the frame before this one.
+  const int slot = static_cast<int>((frame_ + 1) % static_cast<std::uint64_t>(L_));
   grid.mix(place, &OperatingState::hi, slot * bands_, bands_, deviation_.data());
   double s = 0;
   grid.mix(place, &OperatingState::s, slot, 1, &s);

@@ -151,9 +151,9 @@ TEST_CASE("slots give the variance they were told, slot by slot") {
   double loud = 0, soft = 0;
   for (int frame = 0; frame < 64 * 200; ++frame) {
     source.produce(grid, grid.place(1200, 0), 10, slot.data());
-    // A frame ends one hop later: the middle of the loud quarter is l = 2, 3, of the soft part l = 9 ... 12.
-    if (frame % 16 == 2 || frame % 16 == 3) loud += power(slot) / 1600;
-    if (frame % 16 >= 9 && frame % 16 < 13) soft += power(slot) / 3200;
+    // Hop c lies under frames c and c + 1: loud throughout for c = 0, 1, 2, soft for 4 ... 14.
+    if (frame % 16 < 3) loud += power(slot) / 2400;
+    if (frame % 16 >= 4 && frame % 16 < 15) soft += power(slot) / 8800;
   }
   CHECK(loud == doctest::Approx(4.0).epsilon(0.03));
   CHECK(soft == doctest::Approx(1.0).epsilon(0.03));

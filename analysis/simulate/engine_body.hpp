@@ -1,0 +1,11 @@
+// The simulated diesel's body: twelve resonances side by side.
+#pragma once
+
+#include <vector>
+
+namespace rigsound::analysis {
+
+/// `x` through the body, kAnalysisRate, from rest.
+std::vector<double> through_body(const std::vector<double>& x);
+
+}  // namespace rigsound::analysis
