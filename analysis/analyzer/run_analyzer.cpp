@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -27,7 +29,7 @@ struct Task {
   Part part;
   std::shared_ptr<Source> source;
   std::optional<AnalysedPart> done;
-  std::string failure;
+  std::string failure, note;
 };
 
 std::vector<Task> tasks_of(const std::vector<Part>& parts, const AnalyzerOptions& options) {
@@ -43,8 +45,11 @@ std::vector<Task> tasks_of(const std::vector<Part>& parts, const AnalyzerOptions
   return tasks;
 }
 
-AnalysedPart analyse(const Task& task, const std::string& sha256, const AnalyzerOptions& options) {
-  const PartAnalysis analysis = analyse_part(task.part, *task.source->recording(), options);
+AnalysedPart analyse(Task& task, const std::string& sha256, const AnalyzerOptions& options) {
+  const std::shared_ptr<const Recording> recording = task.source->recording();
+  if (recording->source_channels > 1)
+    task.note = fmt::format("{}: {} channels mixed down to one", task.part.recording.string(), recording->source_channels);
+  const PartAnalysis analysis = analyse_part(task.part, *recording, options);
   const ClickBank& bank = analysis.built.bank;
   AnalysedPart analysed{
       task.part, false, bank.T_0, static_cast<int>(bank.clicks.size()), analysis.built.figures, {}};
@@ -110,7 +115,7 @@ AnalyzerResult run_analyzer(const AnalyzerOptions& options, const AnalyzerProgre
   std::error_code error;
   fs::create_directories(options.sound_set, error);
   if (error) throw DeviceError(options.sound_set.string() + ": cannot be made: " + error.message());
-  const RunLock running(options.sound_set);
+  RunLock running(options.sound_set);
 
   std::vector<Task> tasks = tasks_of(list.parts, options);
   ProgressCount count(progress, static_cast<int>(tasks.size()));
@@ -123,13 +128,17 @@ AnalyzerResult run_analyzer(const AnalyzerOptions& options, const AnalyzerProgre
   result.failures = std::move(list.failures);
   std::set<std::string> said(result.failures.begin(), result.failures.end());
   for (Task& task : tasks) {
+    if (!task.note.empty() && said.insert(task.note).second) result.notes.push_back(task.note);
     if (task.done)
       result.banks.push_back(std::move(*task.done));
     else if (said.insert(task.failure).second)
       result.failures.push_back(task.failure);
   }
   lint_series(result.banks);
-  if (!result.banks.empty()) merge(result.banks, options.sound_set);
+  if (!result.banks.empty())
+    merge(result.banks, options.sound_set);
+  else
+    running.remove_if_alone();
   return result;
 }
 

@@ -13,7 +13,11 @@ class RunLock {
  public:
   explicit RunLock(const std::filesystem::path& sound_set);
 
+  /// Removes the folder again when nothing came into it and nobody else is at work.
+  void remove_if_alone();
+
  private:
+  std::filesystem::path sound_set_;
   FileLock lock_;
 };
 

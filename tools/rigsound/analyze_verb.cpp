@@ -62,6 +62,7 @@ void analyze(const AnalyzeArguments& a) {
   }
   for (const AnalysedPart& p : result.banks) print_bank(p);
   std::fflush(stdout);
+  for (const std::string& note : result.notes) fmt::print(stderr, "{}\n", note);
   for (const AnalysedPart& p : result.banks)
     for (const std::string& warning : p.warnings)
       fmt::print(stderr, "{}: warning: {}\n", p.part.bank, warning);

@@ -8,6 +8,7 @@ namespace rigsound::tools {
 using AddVerb = void (*)(CLI::App& app);
 
 void add_analyze(CLI::App& app);
+void add_background(CLI::App& app);
 void add_bench(CLI::App& app);
 void add_check(CLI::App& app);
 void add_clicks(CLI::App& app);
@@ -19,5 +20,6 @@ void add_render(CLI::App& app);
 void add_replay(CLI::App& app);
 void add_resynth(CLI::App& app);
 void add_simulate(CLI::App& app);
+void add_tool(CLI::App& app);
 
 }  // namespace rigsound::tools

@@ -212,7 +212,7 @@ TEST_CASE("noise is no drilling and leaves no bank") {
   CHECK(result.banks.empty());
   REQUIRE(result.failures.size() == 1);
   CHECK(result.failures[0].find("no drilling found") != std::string::npos);
-  CHECK_FALSE(fs::exists(at / "set/banks/noise"));
+  CHECK_FALSE(fs::exists(at / "set"));
 }
 
 TEST_CASE("a label outside its recording, and labels for several recordings, are refused") {

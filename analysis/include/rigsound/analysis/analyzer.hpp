@@ -48,6 +48,7 @@ struct AnalysedPart {
 struct AnalyzerResult {
   std::vector<AnalysedPart> banks;    ///< in the order of inputs and labels, whatever the number of jobs
   std::vector<std::string> failures;  ///< one line each: what gave no bank, and why
+  std::vector<std::string> notes;     ///< one line each: what people should know about their recordings
 };
 
 /// Called from one thread at a time. Parts that were kept count neither as analysed nor in the total.

@@ -1,0 +1,145 @@
+#include "rigsound/analysis/background_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "background_model/likeness.hpp"
+#include "background_model/order_analysis.hpp"
+#include "background_model/order_spectrum.hpp"
+#include "background_model/section.hpp"
+#include "background_model/svg_chart.hpp"
+#include "rigsound/analysis/chain.hpp"
+#include "rigsound/file/atomic_file.hpp"
+
+namespace rigsound::analysis {
+namespace {
+
+constexpr double kWidth = 620, kHeight = 300, kHighest_hz = 10000;
+constexpr int kSpectrumCycles = 8, kPlayedCycles = 120;
+constexpr const char *kRecorded = "#1f4e8c", *kModelled = "#c8501e", *kOrders = "#9bbf9b";
+
+/// The model at one of its points, in cycles that begin where the point's do.
+CyclicSound played(const BackgroundModel& model, const BackgroundPoint& point) {
+  const double f0 = point.rpm / 120;
+  const auto samples = static_cast<std::size_t>((kPlayedCycles + 2) / f0 * kAnalysisRate);
+  const std::vector<float> y =
+      play_background(model, std::vector<double>(samples, point.rpm), point.load, 0, 1);
+  Section s;
+  s.x.assign(y.begin(), y.end());
+  for (std::size_t n = 0; n < y.size(); ++n) s.theta.push_back(f0 * static_cast<double>(n) / kAnalysisRate);
+  Orders known;
+  for (const std::complex<float> c : point.C) known.C.emplace_back(c);
+  known.noise.assign(known.C.size(), 0.0);
+  const CycleBlock first = cycles_of(s, s.x, 0, model.N_theta);
+  const int last = static_cast<int>(std::min<std::size_t>(known.C.size(), 300));
+  const double shift = crank_shift(known, orders_of(first, 0, first.cycles, last));
+  return {cycles_of(s, s.x, shift, model.N_theta).y, model.N_theta, f0};
+}
+
+ChartLine spectrum(const CyclicSound& s, const char* colour) {
+  const std::vector<double> power = order_spectrum(s.y, s.N, kSpectrumCycles);
+  ChartLine line{{}, {}, colour, 0.9, false};
+  for (std::size_t b = 1; b < power.size(); ++b) {
+    const double f = static_cast<double>(b) / kSpectrumCycles * s.f0;
+    if (f < 20 || f > kHighest_hz) continue;
+    line.x.push_back(f), line.y.push_back(10 * std::log10(power[b] + 1e-20));
+  }
+  return line;
+}
+
+Chart spectrum_chart(const BackgroundPoint& point, const CyclicSound* recorded, const CyclicSound& model) {
+  Chart chart{fmt::format("{} at {:.0f} r/min: spectrum", point.source, point.rpm),
+              "Hz",
+              "dB",
+              20,
+              kHighest_hz,
+              -120,
+              -20,
+              true,
+              {20, 50, 100, 200, 500, 1000, 2000, 5000, 10000},
+              {-120, -100, -80, -60, -40, -20},
+              {}};
+  ChartLine orders{{}, {}, kOrders, 1, true};
+  for (std::size_t k = 1; k <= point.C.size() && static_cast<double>(k) * model.f0 < 400; ++k) {
+    orders.x.push_back(static_cast<double>(k) * model.f0);
+    orders.y.push_back(10 * std::log10(0.5 * static_cast<double>(std::norm(point.C[k - 1])) + 1e-20));
+  }
+  chart.lines.push_back(orders);
+  if (recorded) chart.lines.push_back(spectrum(*recorded, kRecorded));
+  chart.lines.push_back(spectrum(model, kModelled));
+  return chart;
+}
+
+/// One curve an octave, each a step above the one before.
+Chart envelope_chart(const CyclicSound* recorded, const CyclicSound& model) {
+  constexpr double kStep = 10;
+  Chart chart{"mean power over the cycle, by octave (10 dB apart)",
+              "crank angle, degrees",
+              "dB",
+              0,
+              720,
+              -5,
+              5,
+              false,
+              {0, 90, 180, 270, 360, 450, 540, 630, 720},
+              {},
+              {}};
+  const std::vector<double> edges = envelope_bands(std::min(kHighest_hz, 0.45 * model.N * model.f0));
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+    const double base = kStep * static_cast<double>(i);
+    chart.y_ticks.push_back(base);
+    chart.y_to = base + kStep;
+    const auto add = [&](const CyclicSound& s, const char* colour) {
+      ChartLine line{{}, {}, colour, 1.2, false};
+      const std::vector<double> profile = cyclic_envelope(s, edges[i], edges[i + 1]);
+      for (std::size_t slot = 0; slot < profile.size(); ++slot) {
+        line.x.push_back(720.0 * (static_cast<double>(slot) + 0.5) / kEnvelopeSlots);
+        line.y.push_back(base + 10 * std::log10(profile[slot] + 1e-6));
+      }
+      chart.lines.push_back(line);
+    };
+    if (recorded) add(*recorded, kRecorded);
+    add(model, kModelled);
+  }
+  return chart;
+}
+
+}  // namespace
+
+void write_background_plot(const std::filesystem::path& file, const std::vector<EngineTake>& takes,
+                           const BackgroundModel& model) {
+  std::vector<std::string> ignored;
+  const std::vector<Section> sections = takes.empty() ? std::vector<Section>() : sections_of(takes, ignored);
+  std::string body;
+  double top = 30;
+  for (std::size_t i = 0; i < model.points.size(); ++i, top += kHeight) {
+    const BackgroundPoint& point = model.points[i];
+    CyclicSound recorded;
+    if (i < sections.size()) {
+      const CycleBlock raw = cycles_of(sections[i], sections[i].x, 0, model.N_theta);
+      Orders known;
+      for (const std::complex<float> c : point.C) known.C.emplace_back(c);
+      known.noise.assign(known.C.size(), 0.0);
+      const double shift = crank_shift(
+          known, orders_of(raw, 0, raw.cycles, static_cast<int>(std::min<std::size_t>(known.C.size(), 300))));
+      recorded = {cycles_of(sections[i], sections[i].x, shift, model.N_theta).y, model.N_theta,
+                  sections[i].f0()};
+    }
+    const CyclicSound* known = recorded.y.empty() ? nullptr : &recorded;
+    const CyclicSound modelled = played(model, point);
+    body += svg_of(spectrum_chart(point, known, modelled), 0, top, kWidth, kHeight);
+    body += svg_of(envelope_chart(known, modelled), kWidth, top, kWidth, kHeight);
+  }
+  write_file(
+      file,
+      fmt::format(
+          "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
+          "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" font-size=\"11\">\n"
+          "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+          "<text x=\"58\" y=\"20\" font-size=\"14\">{2}: <tspan fill=\"{3}\">recorded</tspan>, "
+          "<tspan fill=\"{4}\">modelled</tspan>, <tspan fill=\"{5}\">orders</tspan></text>\n{6}</svg>\n",
+          2 * kWidth, top, model.name, kRecorded, kModelled, kOrders, body));
+}
+
+}  // namespace rigsound::analysis

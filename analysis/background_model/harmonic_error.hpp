@@ -1,0 +1,18 @@
+// How far one pitched spectrum is from another at, near and between the harmonics.
+#pragma once
+
+#include <vector>
+
+namespace rigsound::analysis {
+
+struct HarmonicError {
+  double at_db = 0;       ///< within 1/8 of f0 around the harmonics
+  double near_db = 0;     ///< 1/8 ... 1/4
+  double between_db = 0;  ///< over 1/4
+};
+
+/// rms over harmonics 1 ... `highest` of the band power ratio, dB. `a`, `b`: P angle samples a period, P a
+/// power of two; Welch windows of 16 periods. Thread: OFF.
+HarmonicError harmonic_error(const std::vector<double>& a, const std::vector<double>& b, int P, int highest);
+
+}  // namespace rigsound::analysis

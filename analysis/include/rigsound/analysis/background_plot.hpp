@@ -1,0 +1,17 @@
+// A picture of a learned background: what was recorded and what the model plays.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "rigsound/analysis/background.hpp"
+
+namespace rigsound::analysis {
+
+/// SVG, one row a point of the model: spectrum with the orders marked (left), mean power over the engine
+/// cycle in octaves (right); recorded and modelled. Without takes only the model. Errors: DeviceError.
+/// Thread: OFF.
+void write_background_plot(const std::filesystem::path& file, const std::vector<EngineTake>& takes,
+                           const BackgroundModel& model);
+
+}  // namespace rigsound::analysis

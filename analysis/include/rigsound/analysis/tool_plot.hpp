@@ -1,0 +1,16 @@
+// The modes of a steel as a picture: wanted, reached, and how long they ring.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rigsound/tool_design.hpp"
+
+namespace rigsound::analysis {
+
+/// An SVG page of two panels over frequency (logarithmic): error of each mode in cents, and its T60.
+/// Thread: OFF.
+std::string tool_plot_svg(std::string_view title, const std::vector<TunedMode>& modes);
+
+}  // namespace rigsound::analysis

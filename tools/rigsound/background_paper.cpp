@@ -1,0 +1,64 @@
+#include "background_paper.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/recording.hpp"
+#include "rigsound/analysis/wave_file.hpp"
+
+namespace rigsound::tools {
+
+void add_paper_options(CLI::App& verb, PaperOptions& o) {
+  const char* group = "With --model paper";
+  verb.add_option("--energies", o.energies, "independent: one a subband; one-over-f: two numbers a channel")
+      ->check(CLI::IsMember({"independent", "one-over-f"}))
+      ->group(group);
+  verb.add_option("--scales", o.note.N, "wavelet scales")
+      ->check(CLI::Range(1, 6))
+      ->capture_default_str()
+      ->group(group);
+  verb.add_flag("--keep-harmonics", o.note.keep_harmonics, "harmonics keep their coefficients")->group(group);
+  verb.add_flag("--colour", o.note.colour, "AR filters of order 10, 8, 6, ... from the second subband on")
+      ->group(group);
+  verb.add_flag("--time-varying", o.note.time_varying, "energies in windows of 20 coefficients")
+      ->group(group);
+  verb.add_option("--waveforms", o.note.waveforms, "elementary waveforms in the first subband")
+      ->check(CLI::Range(12, 1000))
+      ->group(group);
+}
+
+void model_note(const std::vector<std::string>& inputs, const std::string& resynth, unsigned seed, bool json,
+                const PaperOptions& o) {
+  if (inputs.size() != 1) throw CLI::ValidationError("IN", "--model paper takes one note");
+  analysis::NoteSettings settings = o.note;
+  settings.one_over_f = o.energies == "one-over-f";
+  settings.seed = seed;
+  const analysis::NoteModel m =
+      analysis::model_note(inputs.front(), analysis::read_recording(inputs.front()).mono, settings);
+  if (!resynth.empty()) analysis::write_wave(resynth, m.sound, static_cast<int>(analysis::kAnalysisRate));
+  if (json) {
+    const nlohmann::ordered_json figures = {{"f0_hz", m.f0},
+                                            {"channels", m.P},
+                                            {"steady_from_s", m.steady_from_s},
+                                            {"steady_to_s", m.steady_to_s},
+                                            {"periods", m.periods},
+                                            {"parameters", m.parameters},
+                                            {"ratio", m.ratio},
+                                            {"whole_ratio", m.whole_ratio},
+                                            {"at_harmonics_db", m.at_db},
+                                            {"near_harmonics_db", m.near_db},
+                                            {"between_harmonics_db", m.between_db}};
+    std::printf("%s\n", figures.dump().c_str());
+    return;
+  }
+  std::printf(
+      "f0=%.2f steady=%.2f..%.2f periods=%d parameters=%zu ratio=%.0f whole_ratio=%.1f at=%.2f near=%.2f "
+      "between=%.2f\n",
+      m.f0, m.steady_from_s, m.steady_to_s, m.periods, m.parameters, m.ratio, m.whole_ratio, m.at_db,
+      m.near_db, m.between_db);
+}
+
+}  // namespace rigsound::tools

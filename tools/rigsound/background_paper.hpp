@@ -1,0 +1,23 @@
+// The `--model paper` half of `rigsound background`.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "rigsound/analysis/note_model.hpp"
+
+namespace rigsound::tools {
+
+struct PaperOptions {
+  analysis::NoteSettings note;
+  std::string energies = "independent";
+};
+
+void add_paper_options(CLI::App& verb, PaperOptions& o);
+
+/// Models one note, writes it when `resynth` names a file, prints one line or JSON.
+void model_note(const std::vector<std::string>& inputs, const std::string& resynth, unsigned seed, bool json,
+                const PaperOptions& o);
+
+}  // namespace rigsound::tools

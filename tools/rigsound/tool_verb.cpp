@@ -1,0 +1,157 @@
+// rigsound tool: the bar waveguide tuned to a steel, and fitted to its recorded sound.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "rigsound/analysis/tool_fit.hpp"
+#include "rigsound/analysis/tool_plot.hpp"
+#include "rigsound/config/sound_set_index.hpp"
+#include "rigsound/config/tool_files.hpp"
+#include "rigsound/file/atomic_file.hpp"
+#include "verbs.hpp"
+
+namespace rigsound::tools {
+namespace {
+
+struct ToolOptions {
+  double length_m = 0, diameter_m = 0, rate = 48000;
+  CLI::Option *length = nullptr, *diameter = nullptr;
+  std::string model = "designed", name, sound_set, recording, plot;
+  std::vector<double> t60_T, t60_L;
+  bool json = false;
+};
+
+DecayWish wish_of(const std::vector<double>& t60) {
+  return t60.empty() ? DecayWish{} : DecayWish{t60[0], t60[1], t60[2], t60[3]};
+}
+
+std::string name_of(const ToolOptions& o, const Bar& bar) {
+  return !o.name.empty() ? o.name
+                         : fmt::format("steel_{:.0f}x{:.0f}", 1000 * bar.length_m, 1000 * bar.diameter_m);
+}
+
+void report(const analysis::ToolFit& fit) {
+  if (fit.estimated)
+    fmt::print(stderr, "steel estimated from {} modes: {:.3f} m x {:.1f} mm\n", fit.matched_modes,
+               fit.model.bar.length_m, 1000 * fit.model.bar.diameter_m);
+  fmt::print(
+      stderr,
+      "blow at {:.3f} s, {:.0f} ms: third-octave error {:.2f} dB on average, {:.2f} dB at worst ({} bands)\n",
+      fit.onset_s, 1000 * fit.length_s, fit.mean_error_db, fit.worst_error_db, fit.bands.size());
+}
+
+nlohmann::ordered_json fit_json(const analysis::ToolFit& fit) {
+  nlohmann::ordered_json json;
+  json["length_m"] = fit.model.bar.length_m;
+  json["diameter_m"] = fit.model.bar.diameter_m;
+  json["estimated"] = fit.estimated;
+  json["matched_modes"] = fit.matched_modes;
+  json["onset_s"] = fit.onset_s;
+  json["mean_error_db"] = fit.mean_error_db;
+  json["worst_error_db"] = fit.worst_error_db;
+  for (const analysis::FittedBand& band : fit.bands)
+    json["bands"].push_back(
+        {{"centre_hz", band.centre_hz}, {"recorded_db", band.recorded_db}, {"model_db", band.model_db}});
+  return json;
+}
+
+void print_modes(const std::vector<TunedMode>& modes) {
+  std::string csv = "family,mode,target_hz,model_hz,error_cents,t60_s\n";
+  for (const TunedMode& m : modes)
+    csv += fmt::format("{},{},{:.3f},{:.3f},{:.4f},{:.6f}\n", m.family, m.mode, m.target_hz, m.model_hz,
+                       m.error_cents, m.t60_s);
+  std::fputs(csv.c_str(), stdout);
+}
+
+void print_json(const std::vector<TunedMode>& modes, nlohmann::ordered_json json) {
+  for (const TunedMode& m : modes)
+    json["modes"].push_back({{"family", m.family},
+                             {"mode", m.mode},
+                             {"target_hz", m.target_hz},
+                             {"model_hz", m.model_hz},
+                             {"error_cents", m.error_cents},
+                             {"t60_s", m.t60_s}});
+  fmt::print("{}\n", json.dump(2));
+}
+
+/// The steel as asked for, or as heard in the recording.
+ToolModel model_of(const ToolOptions& o, nlohmann::ordered_json& json) {
+  if (!o.recording.empty()) {
+    const analysis::ToolFit fit =
+        analysis::fit_tool(analysis::read_recording(o.recording), o.recording, {o.length_m, o.diameter_m});
+    report(fit);
+    json["fit"] = fit_json(fit);
+    return fit.model;
+  }
+  ToolModel model;
+  model.bar = {o.length_m, o.diameter_m};
+  model.transversal.wish = wish_of(o.t60_T);
+  model.longitudinal.wish = wish_of(o.t60_L);
+  model.kind = o.model == "paper" ? ToolKind::kPaper : ToolKind::kDesigned;
+  return model;
+}
+
+void run(const ToolOptions& o) {
+  if (o.recording.empty() && (o.length->empty() || o.diameter->empty()))
+    throw CLI::RequiredError("--length and --diameter (or --from)");
+  nlohmann::ordered_json json;
+  ToolModel model = model_of(o, json);
+  model.name = name_of(o, model.bar);
+  const ToolDesign design = design_tool(model, o.rate);
+  const std::vector<TunedMode> modes = tuned_modes(model, design);
+  model.designs.clear();
+  if (model.kind == ToolKind::kDesigned) model.designs = {design};
+  if (!o.sound_set.empty()) {
+    config::save_tool(o.sound_set, model);
+    config::SoundSetIndex index;
+    index.tools = {model.name};
+    config::merge_index(o.sound_set, index);
+  }
+  if (!o.plot.empty())
+    write_file(o.plot,
+               analysis::tool_plot_svg(fmt::format("{}: {:g} m x {:g} mm at {:g} Hz", model.name,
+                                                   model.bar.length_m, 1000 * model.bar.diameter_m, o.rate),
+                                       modes));
+  if (o.json) {
+    print_json(modes, std::move(json));
+  } else {
+    print_modes(modes);
+  }
+}
+
+}  // namespace
+
+void add_tool(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand("tool", "tune the ringing bar to a steel");
+  const auto o = std::make_shared<ToolOptions>();
+  o->length = verb->add_option("--length", o->length_m, "of the steel, m (0.2...1.2)");
+  o->diameter = verb->add_option("--diameter", o->diameter_m, "of the steel, m (0.010...0.080)");
+  CLI::Option* from =
+      verb->add_option("--from", o->recording,
+                       "recorded blow to fit decays, shelf, high-pass, equaliser, mix and pulse "
+                       "width to; the steel is estimated from its modes where it is not given");
+  verb->add_option("--rate", o->rate, "sample rate to design for, Hz")->capture_default_str();
+  verb->add_option("--model", o->model, "designed, or the jackhammer paper's own loops")
+      ->check(CLI::IsMember({"designed", "paper"}))
+      ->capture_default_str()
+      ->excludes(from);
+  verb->add_option("--t60-transversal", o->t60_T, "wanted decay: LOW_HZ LOW_S HIGH_HZ HIGH_S")
+      ->expected(4)
+      ->excludes(from);
+  verb->add_option("--t60-longitudinal", o->t60_L, "wanted decay: LOW_HZ LOW_S HIGH_HZ HIGH_S")
+      ->expected(4)
+      ->excludes(from);
+  verb->add_option("--name", o->name, "of the tool in the sound set [steel_LENGTHxDIAMETER, mm]");
+  verb->add_option("--out", o->sound_set, "sound set to add the tool to");
+  verb->add_option("--plot", o->plot, "SVG to draw: wanted and reached modes, decays");
+  verb->add_flag("--json", o->json, "figures as JSON instead of CSV");
+  verb->footer(
+      "Writes CSV to stdout: family,mode,target_hz,model_hz,error_cents,t60_s.\n\n"
+      "Example: rigsound tool --length 0.5 --diameter 0.025 --out soundset --plot modes.svg");
+  verb->callback([o] { run(*o); });
+}
+
+}  // namespace rigsound::tools
