@@ -41,7 +41,7 @@ std::vector<Task> tasks_of(const std::vector<Part>& parts, const AnalyzerOptions
   std::map<fs::path, std::shared_ptr<Source>> sources;
   for (const auto& [path, parts_of_it] : count) sources[path] = std::make_shared<Source>(path, parts_of_it);
   std::vector<Task> tasks;
-  for (const Part& part : ours) tasks.push_back({part, sources[part.recording], std::nullopt, {}});
+  for (const Part& part : ours) tasks.push_back({part, sources[part.recording], std::nullopt, {}, {}});
   return tasks;
 }
 

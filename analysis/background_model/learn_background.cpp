@@ -39,6 +39,13 @@ struct Work {
   BackgroundPoint point;
 };
 
+/// Two poles for every 375 Hz that were recorded, a multiple of the voice's eight lanes.
+int body_order(const std::vector<Section>& sections) {
+  double nyquist = 0;
+  for (const Section& s : sections) nyquist = std::max(nyquist, s.nyquist_hz);
+  return std::clamp(8 * static_cast<int>(std::lround(nyquist / 1500)), 32, 128);
+}
+
 int last_order(const Section& s, int N_theta) {
   const double highest = std::min(kHighestOrder_hz, 0.95 * s.nyquist_hz);
   return std::min(static_cast<int>(highest / s.f0()), N_theta / 2 - 1);
@@ -57,9 +64,11 @@ void set_shape(const std::vector<Section>& sections, const BackgroundSettings& s
   const double nominal = std::exp(log_sum / static_cast<double>(sections.size()));
   model.name = settings.name;
   model.sample_rate = kAnalysisRate;
-  model.f_x = settings.f_x;
+  // Grains bring the modulation of the cycle down to where they begin; slots need the wavelets a little
+  // longer.
+  model.f_x = settings.f_x > 0 ? settings.f_x : settings.grains > 0 ? 200 : 300;
   model.N_theta = power_of_two_from(2 * nyquist / slowest, 1024, kMaxBackgroundAngle);
-  model.P_lo = power_of_two_from(2.6 * settings.f_x / slowest, 64, 1024);
+  model.P_lo = power_of_two_from(2.6 * model.f_x / slowest, 64, 1024);
   const int L = 1 << std::lround(std::log2(1 / (nominal * kSlot_s)));
   model.L = std::clamp(L, std::max(16, model.N_theta / 128), std::min(256, model.N_theta / 16));
   model.N = std::clamp(static_cast<int>(std::floor(std::log2(fewest / 10.0))), 0, 3);
@@ -187,6 +196,7 @@ LearnedBackground learn_background(const std::vector<EngineTake>& takes, const B
   const std::vector<Section> sections = sections_of(takes, learned.warnings);
   set_shape(sections, settings, model);
 
+  const int order = settings.order > 0 ? settings.order : body_order(sections);
   std::vector<Work> work(sections.size());
   for (std::size_t i = 0; i < work.size(); ++i) {
     work[i].section = &sections[i];
@@ -204,8 +214,7 @@ LearnedBackground learn_background(const std::vector<EngineTake>& takes, const B
     w.orders = orders_of(w.block, 0, w.block.cycles, last);
     add_moments(w, last, moments);
     take_off_orders(model.f_x, w);
-    autocorrelations.push_back(
-        body_autocorrelation(w.high, w.section->open, w.section->nyquist_hz, settings.order));
+    autocorrelations.push_back(body_autocorrelation(w.high, w.section->open, w.section->nyquist_hz, order));
   }
   model.E = fit_body(moments);
   const std::vector<double> A = common_body(autocorrelations);

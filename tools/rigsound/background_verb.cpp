@@ -30,7 +30,7 @@ struct BackgroundOptions {
   std::string out, name, plot, start, stop, resynth, resynth_track, model = "engine";
   double seconds = 10, resynth_rpm = 0, resynth_load = -1, resynth_feed = 0;
   unsigned seed = 1;
-  bool formula = false, add = false, json = false;
+  bool formula = false, json = false;
   analysis::BackgroundSettings settings;
   PaperOptions paper;
 };
