@@ -23,10 +23,12 @@ Eigen::ArrayXd impulses(const ClickTrain& train, int points) {
   return impulse;
 }
 
-/// The squared linear attack, from the first grid point after the onset to the peak.
+/// The squared linear attack at the grid points from the onset to the last before the peak; none for a short
+/// one.
 Eigen::ArrayXd squared_attack(double N_a) {
-  const int length = std::max(1, static_cast<int>(N_a / kStep));
-  return Eigen::ArrayXd::LinSpaced(length, 1.0 / length, 1.0).square();
+  const long length = std::lround(N_a / kStep);
+  return (Eigen::ArrayXd::LinSpaced(length, 0, static_cast<double>(length - 1)) / static_cast<double>(length))
+      .square();
 }
 
 Eigen::ArrayXd convolve(const Eigen::ArrayXd& x, const Eigen::ArrayXd& kernel) {

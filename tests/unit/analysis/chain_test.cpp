@@ -1,0 +1,169 @@
+// The whole chain against recordings whose truth is known.
+#include "rigsound/analysis/chain.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/noise.hpp"
+#include "simulate/drillbench_clip.hpp"
+
+using namespace rigsound::analysis;
+
+namespace {
+
+struct Case {
+  DrillBenchClip truth;
+  std::vector<float> mix, clean;
+};
+
+Case clip(int id, double snr_db, double seconds) {
+  Case c{drillbench_clip(id, seconds), {}, {}};
+  const std::vector<double> background = drillbench_background(id, seconds);
+  const double gain = std::pow(10, -snr_db / 20);
+  for (size_t n = 0; n < background.size(); ++n) {
+    c.clean.push_back(float(0.05 * c.truth.clean[n]));
+    c.mix.push_back(float(0.05 * (c.truth.clean[n] + gain * background[n])));
+  }
+  return c;
+}
+
+/// F measure at 2 ms against the true strikes (bounces are not clicks).
+double f_measure(const Case& c, const ClickTrain& found) {
+  std::vector<long> truth;
+  for (const SimulatedClick& click : c.truth.clicks)
+    if (click.kind != ClickKind::kBounce && click.P < long(c.mix.size())) truth.push_back(click.P);
+  size_t i = 0, j = 0, matched = 0;
+  while (i < found.P.size() && j < truth.size()) {
+    const long apart = found.P[i] - truth[j];
+    if (std::labs(apart) <= 96)
+      ++matched, ++i, ++j;
+    else if (apart < 0)
+      ++i;
+    else
+      ++j;
+  }
+  return 2.0 * double(matched) / double(found.P.size() + truth.size());
+}
+
+double si_sdr(const std::vector<float>& s, const std::vector<float>& e) {
+  double es = 0, ss = 0, rest = 0;
+  for (size_t n = 0; n < s.size(); ++n) es += double(e[n]) * s[n], ss += double(s[n]) * s[n];
+  for (size_t n = 0; n < s.size(); ++n) rest += std::pow(e[n] - es / ss * s[n], 2);
+  return 10 * std::log10(es * es / ss / rest);
+}
+
+std::vector<float> sound(double seconds, double (*at)(double t, TestNoise&), unsigned seed) {
+  TestNoise noise(seed);
+  std::vector<float> x;
+  for (int n = 0; n < int(seconds * 48000); ++n) x.push_back(float(0.1 * at(n / 48000.0, noise)));
+  return x;
+}
+
+double white(double, TestNoise& noise) { return noise.normal(); }
+
+double rotary_drill(double t, TestNoise& noise) {
+  const double turn = 2 * kPi * 28 * t;
+  double whine = 0;
+  for (const int k : {1, 2, 7, 14, 23, 44}) whine += std::sin(k * turn + k) / std::sqrt(k);
+  return whine + (1 + 0.6 * std::sin(turn)) * noise.normal();
+}
+
+/// A voice: pulses of 110 to 150 Hz through two formants, syllables of a quarter of a second.
+double voice(double t, TestNoise& noise) {
+  const double pitch = 130 * t - 20 / (2 * kPi * 3) * std::cos(2 * kPi * 3 * t),
+               since = pitch - std::floor(pitch);
+  const double syllable = std::pow(std::max(0.0, std::sin(2 * kPi * 2 * t)), 0.5);
+  const double age = since / 130;
+  return syllable * (std::exp(-400 * age) * std::sin(2 * kPi * 650 * age) +
+                     0.6 * std::exp(-600 * age) * std::sin(2 * kPi * 1700 * age)) +
+         0.003 * noise.normal();
+}
+
+double music(double t, TestNoise& noise) {
+  const double beat = t - 0.25 * std::floor(t / 0.25), hz[] = {220, 277.18, 329.63, 440, 246.94};
+  double sum = 0;
+  for (int k = 1; k < 10; ++k)
+    sum += std::sin(2 * kPi * hz[int(t / 0.25) % 5] * k * t) / k * std::exp(-4 * beat * k);
+  return sum + 0.001 * noise.normal();
+}
+
+}  // namespace
+
+TEST_CASE("clicks and sound of clips with known truth") {
+  for (const int id : {100, 105, 109, 117}) {
+    for (const double snr_db : {6.0, 0.0}) {
+      CAPTURE(id);
+      CAPTURE(snr_db);
+      const Case c = clip(id, snr_db, 2);
+      const ChainResult result = run_chain(c.mix, {});
+      CHECK(result.drilling_found);
+      CHECK(f_measure(c, result.clicks) > 0.95);
+      CHECK(result.drilling.size() == c.mix.size());
+      CHECK(si_sdr(c.clean, result.drilling) > snr_db + 3);
+      CHECK(result.clicks.T_0 == doctest::Approx(c.truth.T0).epsilon(0.02));
+      CHECK(result.signal_psd.size() == 257);
+    }
+  }
+}
+
+TEST_CASE("amplitudes are in the units of the recording") {
+  const Case c = clip(109, 12, 2);
+  ClickTrain quiet = run_chain(c.mix, {}).clicks;
+  std::vector<float> louder(c.mix);
+  for (float& x : louder) x *= 4;
+  const ClickTrain loud = run_chain(louder, {}).clicks;
+  REQUIRE(quiet.P.size() == loud.P.size());
+  for (size_t i = 0; i < quiet.P.size(); ++i)
+    CHECK(loud.beta[i] == doctest::Approx(4 * quiet.beta[i]).epsilon(1e-3));
+}
+
+TEST_CASE("a clean recording may skip the denoising and keeps its samples") {
+  const Case c = clip(109, 0, 2);
+  ChainOptions options;
+  options.denoise = false;
+  const ChainResult result = run_chain(c.clean, options);
+  CHECK(f_measure(c, result.clicks) > 0.95);
+  CHECK(si_sdr(c.clean, result.drilling) > 60);
+}
+
+TEST_CASE("a long recording is one train, the same for any number of jobs and on every run") {
+  const Case c = clip(105, 6, 9);
+  ChainOptions options;
+  const ChainResult one = run_chain(c.mix, options);
+  CHECK(f_measure(c, one.clicks) > 0.97);
+  options.jobs = 3;
+  int reports = 0;
+  options.progress = [&](int done, int total) { reports = done == total ? 100 + total : done; };
+  const ChainResult three = run_chain(c.mix, options);
+  CHECK(one.clicks.P == three.clicks.P);
+  CHECK(one.clicks.beta == three.clicks.beta);
+  CHECK(one.drilling == three.drilling);
+  CHECK(reports == 103);
+}
+
+TEST_CASE("noise, a rotary drill, a voice and music are no drilling") {
+  for (const auto at : {white, rotary_drill, voice, music}) {
+    const ChainResult result = run_chain(sound(3, at, 81), {});
+    CHECK(!result.drilling_found);
+    CHECK(result.clicks.P.empty());
+    CHECK(!result.reason.empty());
+    CHECK(result.drilling.size() == 3 * 48000);
+  }
+  for (const int id : {100, 107, 113, 120}) {
+    const std::vector<double> background = drillbench_background(id, 2);
+    CHECK(!run_chain({background.begin(), background.end()}, {}).drilling_found);
+  }
+}
+
+TEST_CASE("the paper's method finds the clicks too, if less exactly, and tells noise from drilling") {
+  const Case c = clip(109, 6, 2);
+  ChainOptions options;
+  options.method = Method::kPaper;
+  const ChainResult result = run_chain(c.mix, options);
+  CHECK(result.drilling_found);
+  CHECK(result.clicks.T_0 == doctest::Approx(c.truth.T0).epsilon(0.05));
+  CHECK(si_sdr(c.clean, result.drilling) > 6);
+  CHECK(!run_chain(sound(2, white, 82), options).drilling_found);
+}

@@ -1,0 +1,53 @@
+#include "clicks/candidates.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "analysis/noise.hpp"
+#include "rigsound/analysis/chain.hpp"
+
+using namespace rigsound::analysis;
+
+TEST_CASE("the statistic is the likelihood ratio of two variances against one") {
+  TestNoise noise(40);
+  Eigen::ArrayXd before = noise.normals(5).square(), after = 4 * noise.normals(5).square() + 1, q(10);
+  q << before, after;
+  Eigen::ArrayXd cumulative = Eigen::ArrayXd::Zero(11);
+  std::partial_sum(q.begin(), q.end(), cumulative.begin() + 1);
+  const auto log_likelihood = [](const Eigen::ArrayXd& blocks, int samples) {
+    return -0.5 * samples * double(blocks.size()) * (std::log(blocks.mean()) + 1);
+  };
+  const double gain = log_likelihood(before, 16) + log_likelihood(after, 16) - log_likelihood(q, 16);
+  CHECK(step_statistic(cumulative, 5, 5, 5, 16) == doctest::Approx(std::sqrt(2 * gain)));
+  CHECK(step_statistic(cumulative, 5, 5, 5, 32) == doctest::Approx(std::sqrt(4 * gain)));
+}
+
+TEST_CASE("a downward step is no candidate") {
+  const Eigen::ArrayXd cumulative = (Eigen::ArrayXd(5) << 0, 4, 8, 9, 10).finished();
+  CHECK(step_statistic(cumulative, 2, 2, 2, 16) == 0);
+}
+
+TEST_CASE("of two close peaks the lower goes") {
+  const Eigen::ArrayXd z = (Eigen::ArrayXd(12) << 0, 3, 0, 5, 0, 0, 0, 4, 0, 1, 0, 9).finished();
+  CHECK(peaks(z, 2, 1) == std::vector<int>{1, 3, 7});
+  CHECK(peaks(z, 2, 3) == std::vector<int>{3, 7});
+}
+
+TEST_CASE("bursts in noise are candidates at their rise") {
+  TestNoise noise(41);
+  Eigen::ArrayXd y = noise.normals(48000);
+  for (long P = 4000; P < 48000; P += 8000)
+    for (long n = 0; n < 1500 && P + n < 48000; ++n) y(P + n) *= 1 + 5 * std::exp(-double(n) / 400);
+  const Candidates candidates = find_candidates(y);
+  for (int P = 4000; P < 48000; P += 8000) {
+    int nearest = 1 << 20;
+    double z = 0;
+    for (const int block : candidates.block)
+      if (std::abs(block * kCandidateBlock - P) < std::abs(nearest - P))
+        nearest = block * kCandidateBlock, z = candidates.z(block);
+    CHECK(std::abs(nearest - P) <= 32);
+    CHECK(z > 8);
+  }
+}

@@ -1,0 +1,51 @@
+#include "denoise/click_activations.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "kernels/is_kernels.hpp"
+
+using namespace rigsound::analysis;
+
+namespace {
+
+ClickTrain two_clicks() {
+  ClickTrain train;
+  train.P = {6400, 14003};
+  train.beta = {1, 0.5};
+  train.envelope = {64, 0, 0};
+  train.T_0 = 1600;
+  return train;
+}
+
+/// The definition, sample by sample: sum_i beta_i^2 sum_t a_j^2(t - P_i) w^2(t - 128 n).
+double direct(const ClickTrain& train, double decay, int frame) {
+  const Eigen::ArrayXf w = hann(kChainStft.window);
+  double sum = 0;
+  for (size_t i = 0; i < train.P.size(); ++i)
+    for (int k = 0; k < kChainStft.window; ++k) {
+      const double t = frame * kChainStft.hop - kChainStft.window / 2 + k - train.P[i],
+                   N_a = train.envelope.N_a;
+      const double a = t < 0 ? 0 : t < N_a ? t / N_a : std::exp(-decay * (t - N_a));
+      sum += train.beta[i] * train.beta[i] * a * a * double(w(k)) * double(w(k));
+    }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("the rows follow the energy of the clicks through the window, with mean one") {
+  const ClickTrain train = two_clicks();
+  const int frames = 150, padded = 160;
+  const Grid rows = click_activations(train, frames, padded);
+  for (int j = 0; j < kDecayCount; ++j) {
+    CHECK(rows.row(j).head(frames).mean() == doctest::Approx(1).epsilon(1e-4));
+    CHECK(rows.row(j).tail(padded - frames).maxCoeff() == 0);
+    Eigen::ArrayXd expected(frames);
+    for (int n = 0; n < frames; ++n) expected(n) = direct(train, kDecays[j] / train.T_0, n);
+    expected /= expected.mean();
+    const double error = (rows.row(j).head(frames).transpose().cast<double>() - expected).abs().maxCoeff();
+    CHECK(error < 0.03 * expected.maxCoeff());
+  }
+}

@@ -1,0 +1,136 @@
+#include <doctest/doctest.h>
+
+#include "analysis/noise.hpp"
+#include "denoise/cs_nmf.hpp"
+#include "denoise/divergence.hpp"
+#include "denoise/initial_nmf.hpp"
+#include "denoise/wiener.hpp"
+#include "kernels/is_kernels.hpp"
+
+using namespace rigsound::analysis;
+
+namespace rigsound::analysis {
+extern const IsKernels kIsKernels_baseline;
+}
+
+namespace {
+
+/// A spectrogram of Gaussian noise of power `L`: exponentially distributed cells, padded for the kernels.
+PowerSpectrogram noisy_power(const Grid& L, unsigned seed) {
+  TestNoise noise(seed);
+  PowerSpectrogram power;
+  power.frames = int(L.cols());
+  power.P = Grid::Zero(L.rows(), (L.cols() + kLanes - 1) / kLanes * kLanes);
+  for (int m = 0; m < L.rows(); ++m)
+    for (int n = 0; n < L.cols(); ++n)
+      power.P(m, n) = L(m, n) * float(-std::log(1 - noise.uniform())) + 1e-7f;
+  return power;
+}
+
+ClickTrain regular_train() {
+  ClickTrain train;
+  for (int P = 900; P < 46000; P += 2000) train.P.push_back(P), train.beta.push_back(1);
+  train.envelope = {40, 0, 2.5 / 2000};
+  train.T_0 = 2000;
+  return train;
+}
+
+double total(const Grid& cells) { return cells.cast<double>().sum(); }
+
+}  // namespace
+
+TEST_CASE("hat functions sum to one everywhere") {
+  for (const int knots : {1, 2, 5}) {
+    const Grid rows = hats(knots, 100, 112);
+    for (int n = 0; n < 100; ++n) CHECK(rows.col(n).sum() == doctest::Approx(1));
+    CHECK(rows.rightCols(12).abs().maxCoeff() == 0);
+  }
+}
+
+TEST_CASE("the 20 % quantile finds the level of a noise under rare loud events") {
+  Grid L = Grid::Constant(40, 2000, 2.0f);
+  for (int n = 0; n < 2000; n += 25) L.col(n) = 200;
+  const Eigen::ArrayXf level = noise_level(noisy_power(L, 3), 1.0f);
+  CHECK(level.mean() == doctest::Approx(2.0).epsilon(0.15));
+}
+
+TEST_CASE("every instruction set gives the same bits, and those of the formula") {
+  const PowerSpectrogram power = noisy_power(Grid::Constant(1, 150, 1.0f), 5);
+  TestNoise noise(6);
+  Grid H = Grid::Zero(4, power.padded());
+  for (int k = 0; k < 4; ++k)
+    for (int n = 0; n < 150; ++n) H(k, n) = float(noise.uniform()) + 0.1f;
+  float here[4] = {0.5f, 1, 0.2f, 0.7f}, baseline[4] = {0.5f, 1, 0.2f, 0.7f};
+  const Eigen::ArrayXd w = Eigen::Map<Eigen::Array4f>(here).cast<double>();
+  const Activations activations{H.data(), 4, power.padded()};
+  is_kernels().fit_bin(power.P.data(), activations, here, 1, 0.7f, 1e-10f);
+  kIsKernels_baseline.fit_bin(power.P.data(), activations, baseline, 1, 0.7f, 1e-10f);
+  const Eigen::ArrayXXd h = H.leftCols(150).cast<double>();
+  const Eigen::ArrayXd P = power.P.row(0).head(150).transpose().cast<double>();
+  const Eigen::ArrayXd L = (h.matrix().transpose() * w.matrix()).array();
+  for (int k = 0; k < 4; ++k) {
+    const Eigen::ArrayXd row = h.row(k).transpose();
+    CHECK(
+        here[k] ==
+        doctest::Approx(w(k) * std::pow((row * P / L.square()).sum() / (row / L).sum(), 0.7)).epsilon(1e-5));
+    CHECK(here[k] == baseline[k]);
+  }
+}
+
+TEST_CASE(
+    "with exponent 0.5 no iteration makes the initial factorisation worse, with 0.7 all together make it "
+    "better") {
+  Grid L(30, 200);
+  for (int m = 0; m < 30; ++m)
+    for (int n = 0; n < 200; ++n) L(m, n) = 0.3f + (n % 20 == 0 ? 5.0f : 0.0f) * float(m + 1) / 30;
+  const PowerSpectrogram power = noisy_power(L, 8);
+  InitialNmfOptions options;
+  options.exponent = 0.5f;
+  double last = 1e30;
+  for (options.iterations = 0; options.iterations < 25; ++options.iterations) {
+    const double divergence = total(itakura_saito(power, initial_nmf(power, options)));
+    CHECK(divergence <= last * (1 + 1e-6));
+    last = divergence;
+  }
+  options.exponent = 0.7f;
+  options.iterations = 0;
+  const double start = total(itakura_saito(power, initial_nmf(power, options)));
+  options.iterations = 80;
+  CHECK(total(itakura_saito(power, initial_nmf(power, options))) < 0.8 * start);
+}
+
+TEST_CASE("a factorisation of noise by its own power leaves Euler's constant per cell") {
+  const PowerSpectrogram power = noisy_power(Grid::Constant(64, 1000, 3.0f), 9);
+  const Eigen::ArrayXf everywhere = Eigen::ArrayXf::Ones(1000);
+  CHECK(mean_divergence(power, background_nmf(power), everywhere) ==
+        doctest::Approx(kNoiseDivergence).epsilon(0.01));
+}
+
+TEST_CASE("click-synchronous words find the two spectra a mixture was made of") {
+  const ClickTrain train = regular_train();
+  const int frames = 375;
+  const PowerSpectrogram shape = noisy_power(Grid::Constant(32, frames, 1.0f), 10);
+  CsNmfOptions options;
+  const Factors like = cs_nmf(shape, train, options);
+  Grid S(32, frames), N(32, frames);
+  for (int m = 0; m < 32; ++m) {
+    S.row(m) = like.H.row(2).head(frames) * (m < 16 ? 4.0f : 0.01f);
+    N.row(m).setConstant(m < 16 ? 0.02f : 1.0f);
+  }
+  const PowerSpectrogram power = noisy_power(S + N, 11);
+  const PsdPair psd = modelled_psd(cs_nmf(power, train, options), power);
+  CHECK(psd.S.topRows(16).mean() == doctest::Approx(S.topRows(16).mean()).epsilon(0.1));
+  CHECK(psd.N.bottomRows(16).mean() == doctest::Approx(1.0).epsilon(0.1));
+  CHECK(psd.S.bottomRows(16).mean() < 0.15);
+}
+
+TEST_CASE("the Wiener gain is S over S and N") {
+  const Spectrogram X = Spectrogram::Constant(2, 1, {1.0f, -1.0f});
+  Grid S(2, 1), N(2, 1);
+  S << 3, 0;
+  N << 1, 2;
+  const Spectrogram Y = wiener(X, {S, N});
+  CHECK(Y(0, 0).real() == doctest::Approx(0.75));
+  CHECK(Y(0, 0).imag() == doctest::Approx(-0.75));
+  CHECK(std::abs(Y(1, 0)) == doctest::Approx(0));
+}
