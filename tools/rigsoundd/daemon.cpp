@@ -19,6 +19,7 @@ constexpr auto kTick = std::chrono::milliseconds(2);
 constexpr double kTend_s = 0.1;
 constexpr double kSwapFade_s = 0.03;  // around a new engine
 constexpr double kMuteFade_s = 0.1, kLastFade_s = 0.3;
+constexpr double kLongestRingOut_s = 1;
 constexpr double kSilence_s = 2;  // after so long without sound a new run disturbs nobody
 
 std::unique_ptr<audio::Sink> make_sink(const audio::AudioOptions& options, audio::Clock& clock,
@@ -96,12 +97,21 @@ void Daemon::run(int signals) {
     if (monotonic_s() >= next_tend_s_) tend();
   }
   service_.stopping();
-  exchange_.set_gate(0, kLastFade_s);
+  fade_to_silence(kLastFade_s);
   const audio::AudioOptions& audio = loaded_.rig.audio;
-  sleep_s(kLastFade_s + (audio.periods + 2) * audio.block / audio.rate);
+  sleep_s((audio.periods + 1) * audio.block / audio.rate);  // the card plays what it has
   audio_.stop();
   recorder_.finish();
   spdlog::info("stopped after {} blocks", audio_.figures().blocks.load());
+}
+
+// The engine smooths every gain: it is silent a little after the gate is shut.
+void Daemon::fade_to_silence(double fade_s) {
+  exchange_.set_gate(0, fade_s);
+  sleep_s(fade_s);
+  for (double waited_s = 0; waited_s < kLongestRingOut_s && audio_.figures().peak.load() > 0;
+       waited_s += 0.005)
+    sleep_s(0.005);
 }
 
 void Daemon::handle_signals(int signals) {
@@ -137,9 +147,7 @@ void Daemon::tend_session(double now_s) {
 
 /// The old engine's end must not be heard, nor the new one's start: both are silent where they meet.
 void Daemon::new_run(LoadedRig next) {
-  const audio::AudioOptions& audio = loaded_.rig.audio;
-  exchange_.set_gate(0, kSwapFade_s);
-  sleep_s(kSwapFade_s + 4 * audio.block / audio.rate);
+  fade_to_silence(kSwapFade_s);
   recorder_.tend(monotonic_s());
   std::unique_ptr<Engine> engine = std::move(next.engine);
   loaded_ = std::move(next);

@@ -1,0 +1,192 @@
+"""Start, reload and end; cards that come and go; sessions under kill -9 and on a full disk."""
+import json
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import unittest
+
+from frames import EEC1, Bus, engine_speed
+from place import PLACE
+from rigs import write_rig
+from running import Daemon, wait_for
+from sound import PLAYBACK, PeriodClock, Recording, peak_of
+
+CARD_DRIVER = '/sys/bus/platform/drivers/snd_aloop'
+
+
+def rig(**options):
+    return write_rig('/tmp/rig.toml', PLACE.project, PLACE.sounds, can=['vcan0'],
+                     **{'safety': 'stale_after_ms = 0', 'form': 'float', 'block': 256, **options})
+
+
+def run_diesel():
+    bus = Bus('vcan0')
+    bus.send(EEC1, engine_speed(1500))
+    bus.close()
+
+
+def driver(action):
+    with open(f'{CARD_DRIVER}/{action}', 'w') as file:
+        file.write('snd_aloop.0')
+
+
+class Life(unittest.TestCase):
+    def test_sigterm_fades_out_and_ends_with_0(self):
+        with PeriodClock(PLACE.period_clock, 256), Recording('/tmp/fade.raw', 'float', 256):
+            with Daemon(PLACE.rigsoundd, rig(device=PLAYBACK)) as daemon:
+                daemon.wait_playing()
+                run_diesel()
+                wait_for('sound', lambda: daemon.status()['meters']['peak_db'] > -80)
+                self.assertEqual(daemon.terminate(), 0)
+        with open('/tmp/fade.raw', 'rb') as raw:
+            data = raw.read().rstrip(b'\0')
+        loud = peak_of('/tmp/fade.raw', 5)
+        with open('/tmp/tail.raw', 'wb') as tail:
+            tail.write(data[:len(data) // 8 * 8])
+        self.assertGreater(loud, 1e-3)
+        self.assertLess(peak_of('/tmp/tail.raw', 0.01), loud * 1e-3)  # the last that is not silence is nearly so
+
+    def test_systemd_hears_of_start_state_and_life(self):
+        path = '/tmp/notify'
+        with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as listener:
+            listener.bind(path)
+            listener.settimeout(30)
+            told = ''
+            with Daemon(PLACE.rigsoundd, rig(device='hw:CARD=Missing'),
+                        env={'NOTIFY_SOCKET': path, 'WATCHDOG_USEC': '200000'}) as daemon:
+                while not all(word in told for word in ('READY=1', 'STATUS=no sound', 'WATCHDOG=1')):
+                    told += listener.recv(4096).decode() + '\n'
+                self.assertEqual(daemon.terminate(), 0)
+                while 'STOPPING=1' not in told:
+                    told += listener.recv(4096).decode() + '\n'
+        os.unlink(path)
+
+    def test_a_reload_takes_all_or_nothing(self):
+        path = rig()
+        with Daemon(PLACE.rigsoundd, path) as daemon:
+            wait_for('vcan0', lambda: daemon.bus('can vcan0')['up'])
+            run_diesel()
+            daemon.wait_signal('engine_rpm', 1500)
+            rig(device='hw:Loopback,0', modbus=['role = "server"\naddress = "127.0.0.1:1502"\n[modbus.signals]\n'
+                                                'rock = { table = "holding", address = 0, type = "uint16" }'])
+            answer = daemon.ask('reload')
+            self.assertTrue(answer['ok'])
+            self.assertEqual(answer['not_applied'], ['audio.device: null, wanted hw:Loopback,0'])
+            wait_for('the new bus', lambda: daemon.bus('modbus 127.0.0.1:1502')['up'])
+            daemon.wait_signal('engine_rpm', 1500)  # what was known stays known
+            with open(path, 'a') as broken:
+                broken.write('\n[mix]\ndril_db = 0\n')
+            answer = daemon.ask('reload')
+            self.assertFalse(answer['ok'])
+            self.assertIn('dril_db', answer['error'])
+            os.kill(daemon.process.pid, signal.SIGHUP)
+            wait_for('SIGHUP', lambda: daemon.status()['failed_reloads'] == 2)
+            status = daemon.status()
+            self.assertEqual((status['reloads'], len(status['buses'])), (1, 2))
+
+    def test_ctl_commands(self):
+        with Daemon(PLACE.rigsoundd, rig()) as daemon:
+            def ctl(*words):
+                return subprocess.run([PLACE.rigsound, 'ctl', '--socket', daemon.socket_path, *words],
+                                      capture_output=True, text=True)
+            self.assertEqual(ctl('set', 'mean_frequency_hz', '42').returncode, 0)
+            self.assertEqual(ctl('set', 'decay_factor', '99').returncode, 1)
+            self.assertEqual(ctl('mute', 'on').stdout, 'muted\n')
+            status = json.loads(ctl('status', '--json').stdout)
+            self.assertEqual((status['booms'][0]['mean_frequency_hz'], status['muted']), (42, True))
+            self.assertIn('MUTED', ctl('status').stdout)
+            metrics = ctl('metrics').stdout
+            self.assertTrue(metrics.endswith('# EOF\n'))
+            self.assertIn('rigsound_blocks_total', metrics)
+            self.assertEqual(ctl('reload').stdout, 'reloaded\n')
+        self.assertEqual(subprocess.run([PLACE.rigsound, 'ctl', '--socket', '/tmp/none', 'status'],
+                                        capture_output=True).returncode, 3)
+
+
+class Card(unittest.TestCase):
+    def test_no_card_and_no_bus_at_the_start_both_picked_up(self):
+        subprocess.run(['ip', 'link', 'del', 'vcan0'], check=True)
+        driver('unbind')
+        with Daemon(PLACE.rigsoundd, rig(device=PLAYBACK)) as daemon:
+            wait_for('blocks without a card', lambda: daemon.status()['audio']['blocks'] > 100)
+            self.assertFalse(daemon.status()['audio']['playing'])
+            self.assertIn('does not exist', daemon.bus('can vcan0')['problem'])
+            driver('bind')
+            subprocess.run(['ip', 'link', 'add', 'vcan0', 'type', 'vcan'], check=True)
+            subprocess.run(['ip', 'link', 'set', 'vcan0', 'up'], check=True)
+            daemon.wait_playing()
+            wait_for('vcan0', lambda: daemon.bus('can vcan0')['up'])
+            run_diesel()
+            daemon.wait_signal('engine_rpm', 1500)
+
+    def test_a_card_pulled_out_and_put_back(self):
+        with Daemon(PLACE.rigsoundd, rig(device=PLAYBACK)) as daemon:
+            daemon.wait_playing()
+            driver('unbind')
+            wait_for('the loss', lambda: daemon.status()['audio']['losses'] >= 1)
+            blocks = daemon.status()['audio']['blocks']
+            wait_for('blocks without a card', lambda: daemon.status()['audio']['blocks'] > blocks + 100)
+            driver('bind')
+            daemon.wait_playing()
+
+    def test_a_card_that_another_program_holds(self):
+        holder = subprocess.Popen(['aplay', '-q', '-D', PLAYBACK, '-f', 'FLOAT_LE', '-c', '2', '-r', '48000', '/dev/zero'],
+                                  stderr=subprocess.DEVNULL)
+        wait_for('aplay', lambda: 'RUNNING' in open('/proc/asound/Loopback/pcm0p/sub0/status').read())
+        with Daemon(PLACE.rigsoundd, rig(device=PLAYBACK + ',0')) as daemon:
+            self.assertIn('busy', daemon.status()['audio']['card'])
+            holder.kill()
+            holder.wait()
+            daemon.wait_playing()
+
+
+class Sessions(unittest.TestCase):
+    def test_kill_9_loses_a_second_at_most(self):
+        path = write_rig(f'{PLACE.work}/killed.toml', PLACE.project, PLACE.sounds, device=PLAYBACK, block=256, form='float',
+                         can=['vcan0'], safety='stale_after_ms = 0')
+        with PeriodClock(PLACE.period_clock, 256), Recording('/tmp/killed.raw', 'float', 256) as recording:
+            with Daemon(PLACE.rigsoundd, path, '--session', '/tmp/killed.rigsession') as daemon:
+                daemon.wait_playing()
+                run_diesel()
+                blocks = daemon.status()['audio']['blocks']
+                wait_for('two seconds', lambda: daemon.status()['audio']['blocks'] > blocks + 2 * 48000 / 256)
+                daemon.process.kill()
+                daemon.process.wait()
+            recording.stop()
+        for file in ('/tmp/killed.raw', '/tmp/killed.rigsession'):
+            shutil.move(file, PLACE.work)
+
+    def test_a_full_disk_stops_the_recording_and_nothing_else(self):
+        os.makedirs('/tmp/small', exist_ok=True)
+        subprocess.run(['mount', '-t', 'tmpfs', '-o', 'size=16k', 'tmpfs', '/tmp/small'], check=True)
+        try:
+            with Daemon(PLACE.rigsoundd, rig(), '--session', '/tmp/small/run.rigsession') as daemon:
+                wait_for('vcan0', lambda: daemon.bus('can vcan0')['up'])
+                bus = Bus('vcan0')
+                def full():
+                    for rpm in range(600, 3000, 4):
+                        bus.send(EEC1, engine_speed(rpm))
+                    return daemon.status()['session']['problem']
+                self.assertIn('No space left', wait_for('the disk to be full', full, 60))
+                bus.close()
+                blocks = daemon.status()['audio']['blocks']
+                wait_for('more blocks', lambda: daemon.status()['audio']['blocks'] > blocks + 100)
+                self.assertEqual(daemon.terminate(), 0)
+        finally:
+            subprocess.run(['umount', '/tmp/small'], check=True)
+
+    def test_a_session_at_its_limit_begins_the_next(self):
+        with Daemon(PLACE.rigsoundd, rig(), '--session', '/tmp/short.rigsession', '--session-limit', '0.01') as daemon:
+            wait_for('vcan0', lambda: daemon.bus('can vcan0')['up'])
+            bus = Bus('vcan0')
+            def turned():
+                for rpm in range(600, 3000, 4):
+                    bus.send(EEC1, engine_speed(rpm))
+                return os.path.exists('/tmp/short.2.rigsession')
+            wait_for('the next session', turned, 60)
+            bus.close()
+            self.assertEqual(daemon.terminate(), 0)
+        for age in ('', '.1', '.2'):
+            self.assertLess(os.path.getsize(f'/tmp/short{age}.rigsession'), 10000)

@@ -1,0 +1,91 @@
+"""Bit for bit through the card, no xruns, and how fast a frame is heard."""
+import os
+import shutil
+import statistics
+import subprocess
+import unittest
+
+from place import PLACE
+from rigs import write_rig
+from running import Daemon
+from sound import CAPTURE, PLAYBACK, PeriodClock, Recording
+
+
+def part_of_log(seconds):
+    """The bundled log from second 0 on; `seconds` of it."""
+    path = '/tmp/part.log'
+    first = None
+    with open(PLACE.log) as whole, open(path, 'w') as out:
+        for line in whole:
+            time = float(line[1:line.index(')')])
+            first = time if first is None else first
+            if time - first <= seconds:
+                out.write(line)
+    return path
+
+
+class Sound(unittest.TestCase):
+    def play_log(self, log, block, form, name):
+        """canplayer -> vcan0 -> daemon -> loopback -> arecord; capture and session are left for the host."""
+        rig = write_rig(f'{PLACE.work}/{name}.toml', PLACE.project, PLACE.sounds, device=PLAYBACK, block=block, periods=3,
+                        form=form, can=['vcan0'])
+        session = f'/tmp/{name}.rigsession'
+        with PeriodClock(PLACE.period_clock, block), Recording(f'/tmp/{name}.raw', form, block) as recording:
+            with Daemon(PLACE.rigsoundd, rig, '--session', session) as daemon:
+                daemon.wait_playing()
+                subprocess.run(['canplayer', '-I', log, 'vcan0=can0'], check=True)
+                status = daemon.status()
+                self.assertEqual(daemon.terminate(), 0)
+            self.assertEqual(recording.stop(), '')
+        for file in (f'/tmp/{name}.raw', session):
+            shutil.move(file, PLACE.work)
+        audio = status['audio']
+        seconds = audio['blocks'] * block / 48000
+        print(f'FIGURE block {block} {form}: {audio["xruns"]} xruns and {audio["deadline_misses"]} deadline misses in '
+              f'{seconds:.1f} s, load {100 * audio["load"]:.1f} % of the emulated processor', flush=True)
+        self.assertIn('SCHED_FIFO', audio['scheduling'])
+        self.assertEqual((audio['xruns'], audio['losses'], status['session']['problem']), (0, 0, ''))
+        sent = sum(1 for _ in open(log))
+        seen = status['buses'][0]
+        self.assertEqual(seen['frames_dropped'], 0)
+        self.assertEqual(seen['frames_used'], seen['frames_seen'])
+        self.assertLess(seen['frames_seen'], sent)  # the kernel's filter keeps ET1 and the like away
+
+    def test_the_whole_log_in_float(self):
+        self.play_log(PLACE.log, 64, 'float', 'shift_64_float')
+
+    def test_half_a_minute_in_s32(self):
+        self.play_log(part_of_log(30), 128, 's32', 'part_128_s32')
+
+    def test_half_a_minute_in_s16(self):
+        self.play_log(part_of_log(30), 256, 's16', 'part_256_s16')
+
+    def test_a_frame_is_heard_within_a_block_and_the_buffer(self):
+        block, periods = 64, 3
+        rig = write_rig('/tmp/rig.toml', PLACE.project, PLACE.sounds, device=PLAYBACK, block=block, periods=periods,
+                        form='float', can=['vcan0'], safety='stale_after_ms = 0')
+        with PeriodClock(PLACE.period_clock, block), Daemon(PLACE.rigsoundd, rig) as daemon:
+            daemon.wait_playing()
+            words = [PLACE.frame_to_sound, CAPTURE, 'vcan0', str(block), '10']
+            told = subprocess.run(words, check=True, capture_output=True, text=True).stdout
+        latencies = [float(line.split()[1]) for line in told.splitlines()]
+        limit = 1e3 * block * (1 + periods) / 48000
+        print(f'FIGURE frame to sound: mean {statistics.mean(latencies):.2f} ms, worst {max(latencies):.2f} ms, '
+              f'one block and the buffer are {limit:.2f} ms', flush=True)
+        one_capture_period = 1e3 * block / 48000  # the resolution of the measurement
+        self.assertEqual(len(latencies), 10)
+        self.assertLessEqual(max(latencies), limit + one_capture_period)
+
+    def test_the_listener_may_stop_and_come_back(self):
+        rig = write_rig('/tmp/rig.toml', PLACE.project, PLACE.sounds, device=PLAYBACK, block=256, form='float',
+                        can=['vcan0'])
+        with PeriodClock(PLACE.period_clock, 256), Daemon(PLACE.rigsoundd, rig) as daemon:
+            daemon.wait_playing()
+            for _ in range(3):
+                with Recording('/tmp/listener.raw', 'float', 256):
+                    blocks = daemon.status()['audio']['blocks']
+                    while daemon.status()['audio']['blocks'] < blocks + 100:
+                        pass
+                self.assertGreater(os.path.getsize('/tmp/listener.raw'), 0)
+            audio = daemon.status()['audio']
+            self.assertEqual((audio['xruns'], audio['losses']), (0, 0))

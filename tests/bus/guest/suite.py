@@ -1,0 +1,11 @@
+"""suite.py PROJECT BUILD WORK [TEST...]: everything that needs a real bus or a real card. Runs in the guest."""
+import sys
+import unittest
+
+MODULES = ['sound_tests', 'can_tests', 'modbus_tests', 'life_tests']
+
+if __name__ == '__main__':
+    chosen = sys.argv[4:] or MODULES
+    result = unittest.TextTestRunner(stream=sys.stdout, verbosity=2).run(
+        unittest.defaultTestLoader.loadTestsFromNames(chosen))
+    sys.exit(0 if result.wasSuccessful() else 1)
