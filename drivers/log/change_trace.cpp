@@ -34,7 +34,7 @@ class Watch {
 
 }  // namespace
 
-void trace_changes(CanLog& log, const SafetyOptions& safety, const std::vector<SignalId>& watched,
+void trace_changes(BusLog& log, const SafetyOptions& safety, const std::vector<SignalId>& watched,
                    const std::function<void(const Change&)>& report) {
   Watch watch(safety, watched, report);
   double now_s = 0;

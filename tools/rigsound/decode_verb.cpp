@@ -20,6 +20,8 @@ std::vector<SignalId> watched(const config::Rig& rig) {
   std::vector<SignalId> ids;
   for (const can::CanOptions& bus : rig.can)
     for (const can::SignalRoute& route : bus.routes) ids.push_back(route.target);
+  for (const modbus::ModbusOptions& link : rig.modbus)
+    for (const modbus::RegisterRoute& route : link.routes) ids.push_back(route.target);
   return ids;
 }
 
@@ -30,15 +32,14 @@ std::string value_text(const log::Change& change) {
 
 void decode(const Options& options) {
   const config::Rig rig = config::load_rig(options.rig);
-  require_can(rig);
-  log::CanLog log(options.log, rig.can);
+  const std::unique_ptr<log::BusLog> log = log::open_log(options.log, rig.can, rig.modbus);
   std::string csv = "time_s,signal,value\n";  // printed whole or not at all
-  log::trace_changes(log, rig.safety, watched(rig), [&](const log::Change& change) {
+  log::trace_changes(*log, rig.safety, watched(rig), [&](const log::Change& change) {
     fmt::format_to(std::back_inserter(csv), "{:.6f},{},{}\n", change.time_s,
                    config::signal_label(rig, change.signal), value_text(change));
   });
   std::fwrite(csv.data(), 1, csv.size(), stdout);
-  print_log_notes(options.log, log);
+  print_log_notes(options.log, *log);
 }
 
 }  // namespace
@@ -46,14 +47,13 @@ void decode(const Options& options) {
 void add_decode(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("decode", "Prints what a recorded bus would tell the engine.");
   auto options = std::make_shared<Options>();
-  verb->add_option("RIG.toml", options->rig, "the rig; a [[can]] with interface, dbc and signals is enough")
-      ->required();
-  verb->add_option("--log", options->log, "CAN log as candump -l writes it")->required();
+  verb->add_option("RIG.toml", options->rig, "the rig; a bus and its signals are enough")->required();
+  verb->add_option("--log", options->log, "candump -l log, or Modbus/TCP as pcap or pcapng")->required();
   verb->callback([options] { decode(*options); });
   verb->footer(
       "Prints CSV time_s,signal,value: one row for the first valid value of a signal and one at each "
       "change.\n"
-      "time_s counts from the first frame of the log. Values are those after the rig's [safety] rules, in "
+      "time_s counts from the first entry of the log. Values are those after the rig's [safety] rules, in "
       "the\n"
       "signal's unit, or words (none, closed, open; off, on). Signals of a second boom are NAME.signal.\n"
       "With one [[can]] and one interface in the log their names need not agree.\n\n"

@@ -3,15 +3,11 @@
 
 #include <string>
 
-#include "rigsound/config/rig.hpp"
-#include "rigsound/log/can_log.hpp"
+#include "rigsound/log/bus_log.hpp"
 
 namespace rigsound::tools {
 
-/// Errors: InputError when the rig has no CAN bus that a log could be of.
-void require_can(const config::Rig& rig);
-
-/// Counts of a log read to its end, to stderr.
-void print_log_notes(const std::string& file, const log::CanLog& log);
+/// What there is to know of a log read to its end, to stderr.
+void print_log_notes(const std::string& file, const log::BusLog& log);
 
 }  // namespace rigsound::tools

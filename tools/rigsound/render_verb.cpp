@@ -43,12 +43,11 @@ Engine build_engine(config::Rig& rig) {
 
 void render_log(const Options& options) {
   config::Rig rig = config::load_rig(options.rig);
-  require_can(rig);
   if (options.seed) rig.engine.seed = *options.seed;
-  log::CanLog log(options.log, rig.can);
-  log::LogStates states(log, rig.safety, rig.engine);
+  const std::unique_ptr<log::BusLog> log = log::open_log(options.log, rig.can, rig.modbus);
+  log::LogStates states(*log, rig.safety, rig.engine);
   render(rig, build_engine(rig), states, audio::SampleFormat::kFloat, options.out);
-  print_log_notes(options.log, log);
+  print_log_notes(options.log, *log);
 }
 
 /// What the session was rendered with counts; the rest must be what it was.
@@ -78,7 +77,7 @@ void add_render(CLI::App& app) {
   auto options = std::make_shared<Options>();
   verb->add_option("RIG.toml", options->rig, "the rig")->required();
   CLI::Option_group* source = verb->add_option_group("source");
-  source->add_option("--log", options->log, "CAN log as candump -l writes it");
+  source->add_option("--log", options->log, "candump -l log, or Modbus/TCP as pcap or pcapng");
   source->add_option("--session", options->session,
                      "what rigsoundd --session wrote: the very samples it played");
   source->require_option(1);

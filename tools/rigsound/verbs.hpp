@@ -14,7 +14,9 @@ void add_clicks(CLI::App& app);
 void add_ctl(CLI::App& app);
 void add_decode(CLI::App& app);
 void add_denoise(CLI::App& app);
+void add_record(CLI::App& app);
 void add_render(CLI::App& app);
+void add_replay(CLI::App& app);
 void add_resynth(CLI::App& app);
 void add_simulate(CLI::App& app);
 

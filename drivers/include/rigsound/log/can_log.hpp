@@ -1,4 +1,4 @@
-// A recorded CAN bus, played onto the signal board at the times of the log.
+// A recorded CAN bus.
 #pragma once
 
 #include <filesystem>
@@ -9,30 +9,24 @@
 
 #include "rigsound/can/can_options.hpp"
 #include "rigsound/can/frame_decoder.hpp"
+#include "rigsound/log/bus_log.hpp"
 #include "rigsound/log/candump.hpp"
-#include "rigsound/signal_board.hpp"
 
 namespace rigsound::log {
 
-/// Time 0 is the first frame of the log. A frame older than the one before it counts as simultaneous.
+/// A frame older than the one before it counts as simultaneous.
 /// Thread: OFF.
-class CanLog {
+class CanLog : public BusLog {
  public:
   /// `buses`: at least one. Frames go to the bus of their interface; when there is only one bus and the
   /// log knows only one interface, their names need not agree. Errors: InputError for a log that cannot
   /// be read, holds no frame, or none of any of these interfaces.
   CanLog(const std::filesystem::path& file, const std::vector<can::CanOptions>& buses);
 
-  /// When the next frame arrives, s; nothing at the end of the log. Errors: InputError with the line for
-  /// a log that was cut off or jumps ahead by more than an hour.
-  std::optional<double> next_s();
-
-  /// Puts every frame up to `until_s` on the board.
-  void advance(double until_s, SignalBoard& board);
-
-  const CandumpCounts& counts() const { return reader_.counts(); }
-  std::uint64_t used() const { return used_; }  ///< frames that carried a message of the rig
-  double length_s() const { return time_s_; }   ///< time of the newest frame read
+  /// Errors: InputError with the line for a log that was cut off or jumps ahead by more than an hour.
+  std::optional<double> next_s() override;
+  void advance(double until_s, SignalBoard& board) override;
+  std::vector<std::string> notes() const override;
 
  private:
   void fetch();

@@ -5,13 +5,13 @@
 #include <functional>
 #include <vector>
 
-#include "rigsound/log/can_log.hpp"
+#include "rigsound/log/bus_log.hpp"
 #include "rigsound/signal_board.hpp"
 
 namespace rigsound::log {
 
 struct Change {
-  double time_s = 0;  ///< since the first frame of the log
+  double time_s = 0;  ///< since the first entry of the log
   SignalId signal{};
   double value = 0;  ///< after the safety rule, in the signal's unit
 };
@@ -19,7 +19,7 @@ struct Change {
 /// Plays the whole log and reports every change of every signal in `watched`: the first valid value, then
 /// whenever the value differs. Safety rules act on the way; between frames that lie far apart their
 /// fades are followed in steps of 10 ms. Errors: InputError. Thread: OFF.
-void trace_changes(CanLog& log, const SafetyOptions& safety, const std::vector<SignalId>& watched,
+void trace_changes(BusLog& log, const SafetyOptions& safety, const std::vector<SignalId>& watched,
                    const std::function<void(const Change&)>& report);
 
 }  // namespace rigsound::log

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rigsound/audio/block_loop.hpp"
-#include "rigsound/log/can_log.hpp"
+#include "rigsound/log/bus_log.hpp"
 #include "rigsound/signal_board.hpp"
 
 namespace rigsound::log {
@@ -11,7 +11,7 @@ namespace rigsound::log {
 /// Thread: OFF.
 class LogStates : public audio::StateSource {
  public:
-  LogStates(CanLog& log, const SafetyOptions& safety, const EngineOptions& options)
+  LogStates(BusLog& log, const SafetyOptions& safety, const EngineOptions& options)
       : log_(log), board_(safety), block_s_(options.block / options.sample_rate) {}
 
   const MachineState* state_of(std::uint64_t number) override {
@@ -23,7 +23,7 @@ class LogStates : public audio::StateSource {
   }
 
  private:
-  CanLog& log_;
+  BusLog& log_;
   SignalBoard board_;
   double block_s_;
   MachineState state_;

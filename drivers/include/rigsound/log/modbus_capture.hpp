@@ -1,0 +1,49 @@
+// Modbus/TCP as tcpdump recorded it.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <memory>
+
+#include "rigsound/modbus/exchange.hpp"
+
+namespace rigsound::log {
+
+struct TimedExchange {
+  std::int64_t time_ns = 0;  ///< when the answer was seen, since the epoch
+  modbus::Exchange exchange;
+};
+
+struct CaptureCounts {
+  std::uint64_t packets = 0;
+  std::uint64_t exchanges = 0;
+  std::uint64_t refused = 0;     ///< answered with an exception
+  std::uint64_t unanswered = 0;  ///< answers without their request, or the other way round
+  std::uint64_t other = 0;       ///< packets, or pieces of streams, that are no Modbus/TCP
+};
+
+/// Whether the file begins as a pcap or a pcapng does. Errors: InputError when it cannot be opened.
+bool is_capture(const std::filesystem::path& file);
+
+/// Takes streams apart into requests and answers, and pairs them. Functions 1-6, 15, 16, 22, 23. The server
+/// of a stream is the side that was called (SYN), or has port 502, or the lower port. Thread: OFF.
+class ModbusCapture {
+ public:
+  /// Errors: InputError when it is no capture, or of a link type that carries no IP.
+  explicit ModbusCapture(const std::filesystem::path& file);
+  ~ModbusCapture();
+
+  /// The next exchange, or false at the end. Errors: InputError when the file was cut off.
+  bool next(TimedExchange& exchange);
+
+  const CaptureCounts& counts() const;
+
+ private:
+  class Streams;
+  struct File;
+  std::unique_ptr<File> file_;
+  std::unique_ptr<Streams> streams_;
+};
+
+}  // namespace rigsound::log

@@ -1,0 +1,101 @@
+#include "log/modbus_conversation.hpp"
+
+#include <algorithm>
+
+#include "modbus/request.hpp"
+
+namespace rigsound::log {
+namespace {
+
+using Frame = std::vector<std::uint8_t>;
+
+constexpr std::size_t kMbap = 7, kMaxFrame = 260;
+constexpr std::size_t kMaxWaiting = 256;
+
+std::size_t frame_size(const Frame& bytes) { return 6 + static_cast<std::size_t>(bytes[4] << 8 | bytes[5]); }
+
+bool is_modbus(const Frame& bytes) {
+  return bytes.size() < kMbap ||
+         (bytes[2] == 0 && bytes[3] == 0 && frame_size(bytes) > kMbap && frame_size(bytes) <= kMaxFrame);
+}
+
+/// The values of the answer to a read of `count`: bits or registers after the byte count.
+bool take_values(const Frame& answer, bool bits, int count, std::vector<std::uint16_t>& values) {
+  const std::size_t bytes =
+      bits ? static_cast<std::size_t>(count + 7) / 8 : 2 * static_cast<std::size_t>(count);
+  if (answer.size() != kMbap + 2 + bytes || answer[kMbap + 1] != bytes) return false;
+  const std::uint8_t* data = answer.data() + kMbap + 2;
+  for (int i = 0; i < count; ++i)
+    values.push_back(bits ? data[i / 8] >> (i % 8) & 1
+                          : static_cast<std::uint16_t>(data[2 * i] << 8 | data[2 * i + 1]));
+  return true;
+}
+
+}  // namespace
+
+bool FrameStream::add(const TcpPacket& p) {
+  if (p.syn) {
+    expected_ = p.sequence + 1;
+    bytes_.clear();
+    return true;
+  }
+  if (p.size == 0) return true;
+  const auto behind = static_cast<std::int32_t>(expected_.value_or(p.sequence) - p.sequence);
+  if (behind < 0) bytes_.clear();  // a piece is missing
+  const std::size_t known = behind > 0 ? static_cast<std::size_t>(behind) : 0;
+  if (known >= p.size) return true;
+  bytes_.insert(bytes_.end(), p.data + known, p.data + p.size);
+  expected_ = p.sequence + static_cast<std::uint32_t>(p.size);
+  if (is_modbus(bytes_)) return true;
+  bytes_.clear();
+  return false;
+}
+
+Frame FrameStream::next() {
+  if (bytes_.size() < kMbap || !is_modbus(bytes_) || bytes_.size() < frame_size(bytes_)) return {};
+  const auto end = bytes_.begin() + static_cast<std::ptrdiff_t>(frame_size(bytes_));
+  Frame frame(bytes_.begin(), end);
+  bytes_.erase(bytes_.begin(), end);
+  return frame;
+}
+
+void Conversation::request(const Frame& frame) {
+  if (waiting_.size() >= kMaxWaiting) waiting_.clear();
+  waiting_[static_cast<unsigned>(frame[0] << 8 | frame[1])] = frame;
+}
+
+Conversation::Answer Conversation::answer(const Frame& frame, std::vector<modbus::Exchange>& out) {
+  const auto asked = waiting_.find(static_cast<unsigned>(frame[0] << 8 | frame[1]));
+  if (asked == waiting_.end()) return Answer::kUnpaired;
+  const Frame question = std::move(asked->second);
+  waiting_.erase(asked);
+  if (frame[kMbap] == (question[kMbap] | 0x80)) return Answer::kRefused;
+  modbus::Request request;
+  if (frame[kMbap] != question[kMbap] ||
+      modbus::parse(question.data() + kMbap, question.size() - kMbap, request))
+    return Answer::kUnpaired;
+
+  const int unit = question[kMbap - 1];
+  if (request.write) {
+    modbus::Exchange written{unit, request.table, true, request.write->address, request.values};
+    if (request.masked) {
+      const int old = held_[{unit, written.address}];
+      written.values = {
+          static_cast<std::uint16_t>((old & request.and_mask) | (request.or_mask & ~request.and_mask))};
+    }
+    out.push_back(written);
+  }
+  if (request.read) {
+    modbus::Exchange read{unit, request.table, false, request.read->address, {}};
+    const bool bits = request.table == modbus::Table::kCoil || request.table == modbus::Table::kDiscrete;
+    if (!take_values(frame, bits, request.read->count, read.values)) return Answer::kUnpaired;
+    out.push_back(read);
+  }
+  for (const modbus::Exchange& exchange : out)
+    if (exchange.table == modbus::Table::kHolding)
+      for (std::size_t i = 0; i < exchange.values.size(); ++i)
+        held_[{unit, static_cast<std::uint16_t>(exchange.address + i)}] = exchange.values[i];
+  return Answer::kAgreed;
+}
+
+}  // namespace rigsound::log

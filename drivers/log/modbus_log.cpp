@@ -1,0 +1,59 @@
+#include "rigsound/log/modbus_log.hpp"
+
+#include <algorithm>
+
+#include "rigsound/input_error.hpp"
+
+namespace rigsound::log {
+namespace {
+
+constexpr int kAnyUnit = 255;
+
+}  // namespace
+
+ModbusLog::ModbusLog(const std::filesystem::path& file, const std::vector<modbus::ModbusOptions>& links)
+    : capture_(file), links_(links) {
+  fetch();
+  if (!pending_)
+    throw InputError(file.string(), "holds no Modbus/TCP exchange, expected requests and their answers");
+  first_ns_ = pending_->time_ns;
+}
+
+void ModbusLog::fetch() {
+  TimedExchange next;
+  if (pending_ || !capture_.next(next)) return;
+  if (first_ns_ != 0) time_s_ = std::max(time_s_, static_cast<double>(next.time_ns - first_ns_) * 1e-9);
+  pending_ = std::move(next);
+}
+
+std::optional<double> ModbusLog::next_s() {
+  fetch();
+  return pending_ ? std::optional<double>(time_s_) : std::nullopt;
+}
+
+void ModbusLog::advance(double until_s, SignalBoard& board) {
+  std::vector<modbus::Reading> values;
+  for (fetch(); pending_ && time_s_ <= until_s; fetch()) {
+    values.clear();
+    for (const modbus::ModbusOptions& link : links_)
+      if (link.unit == kAnyUnit || link.unit == pending_->exchange.unit)
+        modbus::readings(pending_->exchange, link.routes, values);
+    for (const modbus::Reading& value : values) modbus::apply(value, time_s_, board);
+    used_ += values.empty() ? 0 : 1;
+    pending_.reset();
+  }
+}
+
+std::vector<std::string> ModbusLog::notes() const {
+  const CaptureCounts& c = capture_.counts();
+  const auto text = [](std::uint64_t n) { return std::to_string(n); };
+  std::vector<std::string> notes = {text(c.exchanges) + " exchanges in " +
+                                    text(static_cast<std::uint64_t>(time_s_ + 0.5)) + " s, " + text(used_) +
+                                    " used"};
+  if (c.refused > 0) notes.push_back(text(c.refused) + " requests were refused by the device");
+  if (c.unanswered > 0) notes.push_back(text(c.unanswered) + " answers have no request in the capture");
+  if (c.other > 0) notes.push_back(text(c.other) + " packets are no Modbus/TCP");
+  return notes;
+}
+
+}  // namespace rigsound::log

@@ -1,0 +1,65 @@
+#include "modbus/pdu.hpp"
+
+namespace rigsound::modbus {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+bool is_bit(Table table) { return table == Table::kCoil || table == Table::kDiscrete; }
+
+std::uint8_t function(const Exchange& e) {
+  if (e.written) return e.table == Table::kCoil ? 15 : 16;
+  switch (e.table) {
+    case Table::kCoil:
+      return 1;
+    case Table::kDiscrete:
+      return 2;
+    case Table::kHolding:
+      return 3;
+    case Table::kInput:
+      break;
+  }
+  return 4;
+}
+
+void put_word(Bytes& out, std::size_t word) {
+  out.push_back(static_cast<std::uint8_t>(word >> 8 & 0xff));
+  out.push_back(static_cast<std::uint8_t>(word & 0xff));
+}
+
+Bytes head(const Exchange& e) {
+  Bytes out = {function(e)};
+  put_word(out, e.address);
+  put_word(out, e.values.size());
+  return out;
+}
+
+void put_values(Bytes& out, const Exchange& e) {
+  const std::size_t bytes = is_bit(e.table) ? (e.values.size() + 7) / 8 : 2 * e.values.size();
+  out.push_back(static_cast<std::uint8_t>(bytes));
+  const std::size_t first = out.size();
+  if (is_bit(e.table)) out.resize(first + bytes);
+  for (std::size_t i = 0; i < e.values.size(); ++i) {
+    if (!is_bit(e.table))
+      put_word(out, e.values[i]);
+    else if (e.values[i] != 0)
+      out[first + i / 8] = static_cast<std::uint8_t>(out[first + i / 8] | 1 << i % 8);
+  }
+}
+
+}  // namespace
+
+Bytes request_pdu(const Exchange& e) {
+  Bytes out = head(e);
+  if (e.written) put_values(out, e);
+  return out;
+}
+
+Bytes answer_pdu(const Exchange& e) {
+  if (e.written) return head(e);
+  Bytes out = {function(e)};
+  put_values(out, e);
+  return out;
+}
+
+}  // namespace rigsound::modbus

@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/signalfd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+
+#include "record/bus_recorders.hpp"
+#include "rigsound/file/file_descriptor.hpp"
+#include "rigsound/input_error.hpp"
+#include "verbs.hpp"
+
+namespace rigsound::tools {
+namespace {
+
+struct Options {
+  std::string rig, out;
+  double seconds = 0;
+};
+
+FileDescriptor ending_signals() {
+  sigset_t signals;
+  ::sigemptyset(&signals);
+  for (const int signal : {SIGINT, SIGTERM}) ::sigaddset(&signals, signal);
+  ::sigprocmask(SIG_BLOCK, &signals, nullptr);  // before the threads, which inherit it
+  return FileDescriptor(::signalfd(-1, &signals, SFD_CLOEXEC));
+}
+
+std::vector<std::unique_ptr<BusRecorder>> start(const config::Rig& rig, const std::filesystem::path& out) {
+  std::vector<std::unique_ptr<BusRecorder>> recorders;
+  if (!rig.can.empty()) recorders.push_back(record_can(rig, out));
+  if (!rig.modbus.empty()) {
+    std::filesystem::path capture = out;
+    if (!rig.can.empty()) capture.replace_extension(".pcap");
+    recorders.push_back(record_modbus(rig, capture));
+  }
+  if (recorders.empty())
+    throw InputError(rig.file.string(), "has no bus, expected a [[can]] or a [[modbus]]");
+  return recorders;
+}
+
+void record(const Options& o) {
+  const config::Rig rig = config::load_rig(o.rig);
+  const FileDescriptor signals = ending_signals();
+  const auto recorders = start(rig, o.out);
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(o.seconds);
+  pollfd poll{signals.get(), POLLIN, 0};
+  while (::poll(&poll, 1, 200) == 0 && (o.seconds == 0 || Clock::now() < end))
+    for (const auto& recorder : recorders) recorder->flush();
+  for (const auto& recorder : recorders) {
+    recorder->flush();
+    fmt::print(stderr, "{} entries\n", recorder->entries());
+  }
+}
+
+}  // namespace
+
+void add_record(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand("record", "Records the buses of a rig.");
+  auto options = std::make_shared<Options>();
+  verb->add_option("RIG.toml", options->rig, "the rig whose buses are meant")->required();
+  verb->add_option("--out", options->out, "file to write")->required();
+  verb->add_option("--seconds", options->seconds, "end after so long; left out: on Ctrl-C")
+      ->check(CLI::PositiveNumber);
+  verb->callback([options] { record(*options); });
+  verb->footer(
+      "CAN is written as candump -l does, all frames of the rig's interfaces; Modbus as a pcap of what was "
+      "agreed\n"
+      "between client and server, each link playing the part the rig gives it. A rig with both writes the "
+      "Modbus\n"
+      "part beside OUT, as OUT with the ending .pcap.\n\n"
+      "Example: rigsound record config/rigs/demo.toml --out shift.log");
+}
+
+}  // namespace rigsound::tools
