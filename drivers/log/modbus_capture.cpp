@@ -54,7 +54,10 @@ class ModbusCapture::Streams {
         ++counts.refused;
         return;
       case Conversation::Answer::kUnpaired:
-        ++counts.unanswered;
+        ++counts.unpaired;
+        return;
+      case Conversation::Answer::kOtherFunction:
+        ++counts.other_functions;
         return;
       case Conversation::Answer::kAgreed:
         break;

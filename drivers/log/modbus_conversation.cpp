@@ -71,9 +71,9 @@ Conversation::Answer Conversation::answer(const Frame& frame, std::vector<modbus
   waiting_.erase(asked);
   if (frame[kMbap] == (question[kMbap] | 0x80)) return Answer::kRefused;
   modbus::Request request;
-  if (frame[kMbap] != question[kMbap] ||
-      modbus::parse(question.data() + kMbap, question.size() - kMbap, request))
-    return Answer::kUnpaired;
+  const auto doubt = modbus::parse(question.data() + kMbap, question.size() - kMbap, request);
+  if (doubt == modbus::Refusal::kFunction) return Answer::kOtherFunction;
+  if (doubt || frame[kMbap] != question[kMbap]) return Answer::kUnpaired;
 
   const int unit = question[kMbap - 1];
   if (request.write) {

@@ -29,7 +29,7 @@ class FrameStream {
 
 class Conversation {
  public:
-  enum class Answer : std::uint8_t { kAgreed, kRefused, kUnpaired };
+  enum class Answer : std::uint8_t { kAgreed, kRefused, kUnpaired, kOtherFunction };
 
   void request(const std::vector<std::uint8_t>& frame);
   /// kAgreed adds one exchange, or two: a read after a write (function 23).

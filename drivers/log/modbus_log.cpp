@@ -51,7 +51,9 @@ std::vector<std::string> ModbusLog::notes() const {
                                     text(static_cast<std::uint64_t>(time_s_ + 0.5)) + " s, " + text(used_) +
                                     " used"};
   if (c.refused > 0) notes.push_back(text(c.refused) + " requests were refused by the device");
-  if (c.unanswered > 0) notes.push_back(text(c.unanswered) + " answers have no request in the capture");
+  if (c.unpaired > 0) notes.push_back(text(c.unpaired) + " answers fit no request of the capture");
+  if (c.other_functions > 0)
+    notes.push_back(text(c.other_functions) + " requests neither read nor wrote values");
   if (c.other > 0) notes.push_back(text(c.other) + " packets are no Modbus/TCP");
   return notes;
 }

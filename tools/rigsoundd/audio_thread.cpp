@@ -40,8 +40,7 @@ class AudioThread::States : public audio::StateSource {
     const MachineState& newest = thread_.states_.read();
     if (number == 0 || std::memcmp(&newest, &state_, sizeof state_) != 0) {
       std::memcpy(&state_, &newest, sizeof state_);
-      if (!thread_.records_.try_enqueue({RunRecord::Kind::kChange, run_, number, state_}))
-        raise<std::uint64_t>(thread_.figures_.lost_records, 1);
+      thread_.tell({RunRecord::Kind::kChange, run_, number, state_, 0});
     }
     started_ = SteadyClock::now();
     return &state_;
@@ -141,9 +140,12 @@ void AudioThread::begin_run() {
 }
 
 void AudioThread::end_run(std::uint64_t blocks) {
-  if (!records_.try_enqueue(
-          {RunRecord::Kind::kEnd, figures_.run.load(std::memory_order_relaxed), blocks, {}}))
-    raise<std::uint64_t>(figures_.lost_records, 1);
+  tell({RunRecord::Kind::kEnd, figures_.run.load(std::memory_order_relaxed), blocks, {}, 0});
+}
+
+void AudioThread::tell(RunRecord record) noexcept {
+  record.lost = figures_.lost_records.load(std::memory_order_relaxed);
+  if (!records_.try_enqueue(record)) raise<std::uint64_t>(figures_.lost_records, 1);
 }
 
 void AudioThread::replace_engine(std::unique_ptr<Engine> engine) {

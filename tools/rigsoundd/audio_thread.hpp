@@ -42,6 +42,7 @@ class AudioThread {
   void ask_scheduler();
   void begin_run();
   void end_run(std::uint64_t blocks);
+  void tell(RunRecord record) noexcept;
 
   std::unique_ptr<Engine> engine_;
   audio::Sink& sink_;

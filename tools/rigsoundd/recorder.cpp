@@ -21,10 +21,10 @@ void Recorder::give_up(const std::string& why) {
   spdlog::error("{}; the sound goes on, this run is no longer recorded", why);
 }
 
-void Recorder::begin(std::uint32_t run) {
-  run_ = run;
+void Recorder::begin(const RunRecord& first) {
+  run_ = first.run;
   problem_.clear();
-  lost_at_begin_ = figures_.lost_records.load(std::memory_order_relaxed);
+  lost_at_begin_ = first.lost;
   writer_.reset();
   if (options_.file.empty()) return;
   try {
@@ -37,7 +37,7 @@ void Recorder::begin(std::uint32_t run) {
 }
 
 void Recorder::take(const RunRecord& record) {
-  if (record.kind == RunRecord::Kind::kChange && record.block == 0) begin(record.run);
+  if (record.kind == RunRecord::Kind::kChange && record.block == 0) begin(record);
   if (!writer_ || run_ != record.run) return;
   if (record.kind == RunRecord::Kind::kChange) return writer_->add(record.block, record.state);
   if (!broken()) writer_->flush(record.block);

@@ -42,7 +42,7 @@ class Recorder {
 
  private:
   void take(const RunRecord& record);
-  void begin(std::uint32_t run);
+  void begin(const RunRecord& first);
   void drain();
   bool broken() const;  // a change of state of this run was lost
 

@@ -16,6 +16,7 @@ struct RunRecord {
   std::uint32_t run = 0;    ///< counts engines
   std::uint64_t block = 0;  ///< kChange: `state` acts from it on; kEnd: it was not rendered any more
   MachineState state;
+  std::uint64_t lost = 0;  ///< records dropped so far, in all runs
 };
 
 /// Bounded: the audio thread drops records (and counts) rather than wait.

@@ -2,7 +2,7 @@
 import sys
 import unittest
 
-MODULES = ['sound_tests', 'can_tests', 'modbus_tests', 'life_tests']
+MODULES = ['sound_tests', 'can_tests', 'modbus_tests', 'log_tests', 'life_tests']
 
 if __name__ == '__main__':
     chosen = sys.argv[4:] or MODULES

@@ -18,9 +18,10 @@ struct TimedExchange {
 struct CaptureCounts {
   std::uint64_t packets = 0;
   std::uint64_t exchanges = 0;
-  std::uint64_t refused = 0;     ///< answered with an exception
-  std::uint64_t unanswered = 0;  ///< answers without their request, or the other way round
-  std::uint64_t other = 0;       ///< packets, or pieces of streams, that are no Modbus/TCP
+  std::uint64_t refused = 0;          ///< answered with an exception
+  std::uint64_t unpaired = 0;         ///< answers without a request they fit
+  std::uint64_t other_functions = 0;  ///< known to Modbus, no reading or writing of values
+  std::uint64_t other = 0;            ///< packets, or pieces of streams, that are no Modbus/TCP
 };
 
 /// Whether the file begins as a pcap or a pcapng does. Errors: InputError when it cannot be opened.

@@ -1,0 +1,125 @@
+// The real-time thread, its recorder and sessions: what was played is what is rendered again.
+#include "audio_thread.hpp"
+
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <mutex>
+
+#include "bench/formula_sounds.hpp"
+#include "recorder.hpp"
+#include "rigsound/log/session_states.hpp"
+#include "state_exchange.hpp"
+
+using namespace rigsound;
+using namespace rigsound::daemon;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Keeps every block; as fast as it can, but for a breath that lets other threads run.
+class KeepingSink : public audio::Sink {
+ public:
+  explicit KeepingSink(std::size_t samples) : samples_(samples) {}
+  void write(const float* block, std::uint64_t number) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (number == 0) runs_.emplace_back();
+    runs_.back().insert(runs_.back().end(), block, block + samples_);
+    std::this_thread::sleep_for(std::chrono::microseconds(100));
+  }
+  std::vector<std::vector<float>> runs() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return runs_;
+  }
+
+ private:
+  std::size_t samples_;
+  mutable std::mutex mutex_;
+  std::vector<std::vector<float>> runs_;
+};
+
+struct Setup {
+  Setup() : sink(static_cast<std::size_t>(options.block * options.channels)) {
+    fs::create_directories(folder);
+    recorder.expect_run({"test", "0", options.seed, options.sample_rate, options.block, options.channels,
+                         audio::SampleFormat::kFloat});
+  }
+  ~Setup() { fs::remove_all(folder); }
+
+  std::unique_ptr<Engine> engine() const {
+    return std::make_unique<Engine>(options, tools::formula_sounds());
+  }
+
+  /// Drills for `blocks` blocks of changing state, tending the recorder meanwhile.
+  void drill(std::uint64_t blocks) {
+    const std::uint64_t end = audio.figures().blocks + blocks;
+    for (int i = 0; audio.figures().blocks < end; ++i) {
+      exchange.change([&](SignalBoard& board) {
+        board.update({Signal::kEngineRpm}, 800 + i % 1000, 0.001 * i);
+        board.update({Signal::kFeedPressureBar}, i % 150, 0.001 * i);
+      });
+      recorder.tend(0.01 * i);
+      std::this_thread::sleep_for(std::chrono::microseconds(300));
+    }
+  }
+
+  std::vector<float> rendered(const fs::path& session) const {
+    log::SessionStates states(session);
+    Engine again(options, tools::formula_sounds());
+    KeepingSink kept(static_cast<std::size_t>(options.block * options.channels));
+    audio::run_blocks(again, states, kept);
+    return kept.runs().front();
+  }
+
+  EngineOptions options = tools::full_options();
+  fs::path folder = fs::temp_directory_path() / ("rigsound_daemon_" + std::to_string(::getpid()));
+  fs::path file = folder / "run.rigsession";
+  StateExchange exchange{SafetyOptions{}};
+  KeepingSink sink;
+  AudioThread audio{engine(), sink, exchange.handoff()};
+  Recorder recorder{{file, 1 << 20}, audio.records(), audio.figures()};
+};
+
+}  // namespace
+
+TEST_CASE("A session renders the very samples that were played, over a change of engine too") {
+  Setup s;
+  s.audio.start();
+  CHECK_FALSE(s.audio.scheduling().empty());
+  s.drill(300);
+  s.audio.replace_engine(s.engine());
+  s.drill(300);
+  s.audio.stop();
+  s.recorder.finish();
+  const auto runs = s.sink.runs();
+  REQUIRE(runs.size() == 2);
+  CHECK(s.rendered(s.folder / "run.1.rigsession") == runs[0]);
+  CHECK(s.rendered(s.file) == runs[1]);
+  CHECK(s.audio.figures().lost_records == 0);
+}
+
+TEST_CASE("A recorder that is not tended loses records, says so, and writes nothing false") {
+  Setup s;
+  s.audio.start();
+  for (int i = 0; s.audio.figures().lost_records == 0; ++i)
+    s.exchange.change([&](SignalBoard& board) { board.update({Signal::kFeedPressureBar}, i % 290, 0); });
+  s.recorder.tend(1);
+  CHECK(s.recorder.wants_new_run(false));
+  s.audio.stop();
+  s.recorder.finish();
+  CHECK_THROWS(log::SessionStates(s.file));  // not one chunk: it cannot be whole
+}
+
+TEST_CASE("A folder that cannot be written stops the recording, not the sound") {
+  Setup s;
+  Recorder recorder({s.folder / "missing" / "run.rigsession", 1 << 20}, s.audio.records(), s.audio.figures());
+  s.audio.start();
+  while (s.audio.figures().blocks < 20) recorder.tend(0);
+  recorder.tend(1);
+  CHECK_FALSE(recorder.recording());
+  CHECK(recorder.problem().find("run.rigsession") != std::string::npos);
+  const std::uint64_t before = s.audio.figures().blocks;
+  while (s.audio.figures().blocks < before + 20) recorder.tend(2);
+  s.audio.stop();
+}

@@ -1,0 +1,149 @@
+#include "rigsound/log/modbus_capture.hpp"
+
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "drivers/modbus/link_harness.hpp"
+#include "log/modbus_conversation.hpp"
+#include "rigsound/input_error.hpp"
+#include "rigsound/log/modbus_capture_writer.hpp"
+#include "rigsound/log/modbus_log.hpp"
+
+using namespace rigsound;
+using namespace rigsound::log;
+using modbus::Exchange;
+using modbus::Table;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct CaptureFile {
+  CaptureFile() : path(fs::temp_directory_path() / ("rigsound_" + std::to_string(::getpid()) + ".pcap")) {}
+  ~CaptureFile() { fs::remove(path); }
+  fs::path path;
+};
+
+const std::vector<Exchange> kSaid = {{1, Table::kHolding, true, 0, {855, 0x43F9, 0xB000}},
+                                     {1, Table::kHolding, false, 5, {1, 2, 3, 65535}},
+                                     {17, Table::kCoil, true, 3, {1, 0, 1, 1, 0, 0, 0, 0, 1}},
+                                     {17, Table::kCoil, false, 0, {0, 1}},
+                                     {17, Table::kDiscrete, false, 9, {1}},
+                                     {255, Table::kInput, false, 100, {7}}};
+
+void write_said(const fs::path& file) {
+  ModbusCaptureWriter writer(file);
+  for (std::size_t i = 0; i < kSaid.size(); ++i)
+    writer.write(1'733'212'800'000'000'000 + static_cast<std::int64_t>(i) * 1'500'000'001, kSaid[i]);
+  writer.flush();
+}
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TcpPacket segment(const std::vector<std::uint8_t>& bytes, std::uint32_t sequence) {
+  TcpPacket p;
+  p.sequence = sequence;
+  p.data = bytes.data();
+  p.size = bytes.size();
+  return p;
+}
+
+}  // namespace
+
+TEST_CASE("What was written as a capture is read as it was, to the nanosecond") {
+  const CaptureFile file;
+  write_said(file.path);
+  CHECK(is_capture(file.path));
+  ModbusCapture capture(file.path);
+  TimedExchange got;
+  for (std::size_t i = 0; i < kSaid.size(); ++i) {
+    REQUIRE(capture.next(got));
+    CHECK(got.time_ns == 1'733'212'800'000'000'000 + static_cast<std::int64_t>(i) * 1'500'000'001);
+    CHECK(got.exchange.unit == kSaid[i].unit);
+    CHECK(got.exchange.table == kSaid[i].table);
+    CHECK(got.exchange.written == kSaid[i].written);
+    CHECK(got.exchange.address == kSaid[i].address);
+    CHECK(got.exchange.values == kSaid[i].values);
+  }
+  CHECK_FALSE(capture.next(got));
+  CHECK(capture.counts().packets == 2 * kSaid.size());
+  CHECK(capture.counts().other == 0);
+}
+
+TEST_CASE("A capture plays onto the board at its own times") {
+  const CaptureFile file;
+  write_said(file.path);
+  modbus::ModbusOptions link;
+  link.routes = {modbus::route(Signal::kFeedPressureBar, Table::kHolding, 0, modbus::WordType::kUint16,
+                               modbus::WordOrder::kAbcd, 0.1),
+                 modbus::route(Signal::kPercussion, Table::kCoil, 1)};
+  ModbusLog log(file.path, {link});
+  SignalBoard board{SafetyOptions{}};
+  log.advance(0, board);
+  CHECK(board.reading({Signal::kFeedPressureBar}, 0).value == doctest::Approx(85.5));
+  CHECK(board.reading({Signal::kPercussion}, 0).validity == Validity::kNeverSeen);
+  CHECK(*log.next_s() == doctest::Approx(1.5));
+  log.advance(5, board);
+  CHECK(board.reading({Signal::kPercussion}, 5).value == 1);
+  CHECK(board.reading({Signal::kPercussion}, 5).seen_s == doctest::Approx(4.5));
+}
+
+TEST_CASE("Streams take repeated, overlapping and lost segments as TCP does") {
+  const std::vector<std::uint8_t> frame = {0, 1, 0, 0, 0, 6, 1, 6, 0, 0, 0, 85};
+  const std::vector<std::uint8_t> head(frame.begin(), frame.begin() + 7),
+      overlap(frame.begin() + 5, frame.end());
+  FrameStream stream;
+  CHECK(stream.add(segment(head, 1000)));
+  CHECK(stream.next().empty());
+  CHECK(stream.add(segment(head, 1000)));  // sent again
+  CHECK(stream.add(segment(overlap, 1005)));
+  CHECK(stream.next() == frame);
+  CHECK(stream.next().empty());
+  CHECK(stream.add(segment(head, 1012)));
+  CHECK(stream.add(segment(frame, 5000)));  // what lay between was not captured
+  CHECK(stream.next() == frame);
+  CHECK_FALSE(stream.add(segment(std::vector<std::uint8_t>(20, 0xAA), 5012)));
+}
+
+TEST_CASE("A cut-off capture, and what is none, are refused") {
+  const CaptureFile file;
+  write_said(file.path);
+  const std::string whole = bytes_of(file.path);
+  std::ofstream(file.path, std::ios::binary | std::ios::trunc) << whole.substr(0, whole.size() - 5);
+  ModbusCapture capture(file.path);
+  TimedExchange got;
+  CHECK_THROWS_AS(while (capture.next(got)){}, InputError);
+  std::ofstream(file.path, std::ios::trunc) << "(0.0) can0 123#00\n";
+  CHECK_FALSE(is_capture(file.path));
+  CHECK_THROWS_AS(ModbusCapture{file.path}, InputError);
+  CHECK_THROWS_AS(is_capture("/nonexistent.pcap"), InputError);
+}
+
+TEST_CASE("A capture of a real device: every function, the refusal, the functions that carry no values") {
+  const fs::path file = fs::path(RIGSOUND_SHARED_DATA) / "modbus/icsnpp_modbus_example.pcap";
+  if (!fs::exists(file)) {
+    MESSAGE("SKIPPED: " << file.string() << " is not there");
+    return;
+  }
+  ModbusCapture capture(file);
+  TimedExchange got;
+  int written = 0, read = 0;
+  while (capture.next(got)) {
+    ++(got.exchange.written ? written : read);
+    if (got.exchange.table == Table::kHolding && !got.exchange.written && got.exchange.values.size() == 8)
+      CHECK(got.exchange.values ==
+            std::vector<std::uint16_t>{0x00aa, 0x00aa, 0x00bb, 0x00cc, 0xef84, 0xe3eb, 0x9f8b, 0xe4c1});
+  }
+  const CaptureCounts& c = capture.counts();
+  CHECK(c.exchanges == static_cast<std::uint64_t>(written + read));
+  CHECK(c.exchanges == 18);
+  CHECK(c.refused == 1);
+  CHECK(c.unpaired == 0);
+  CHECK(c.other_functions == 7);
+}
