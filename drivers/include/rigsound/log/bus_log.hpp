@@ -1,6 +1,7 @@
 // A recorded bus, of whatever kind, played onto the signal board at its own times.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -12,6 +13,12 @@
 #include "rigsound/signal_board.hpp"
 
 namespace rigsound::log {
+
+/// Something people should know about a log; `line` counts from 1, 0 means the whole file.
+struct LogNote {
+  std::string text;
+  std::uint64_t line = 0;
+};
 
 /// Time 0 is the first entry of the log. Thread: OFF.
 class BusLog {
@@ -25,7 +32,7 @@ class BusLog {
   virtual void advance(double until_s, SignalBoard& board) = 0;
 
   /// What a user should know of a log read to its end, one line each, without the file's name.
-  virtual std::vector<std::string> notes() const = 0;
+  virtual std::vector<LogNote> notes() const = 0;
 };
 
 /// Modbus/TCP when the file is a pcap or pcapng, else CAN as candump writes it. Errors: InputError for a file
