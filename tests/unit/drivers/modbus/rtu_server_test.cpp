@@ -75,7 +75,7 @@ TEST_CASE("A write over the line arrives and is confirmed") {
   line.say(kWrite85);
   CHECK(line.hear(kWrite85.size()) == kWrite85);
   await([&] { return line.told.total() == 1; });
-  CHECK(line.told.of(Signal::kFeedPressureBar).value == 85);
+  await([&] { return line.told.of(Signal::kFeedPressureBar).value == 85; });
 }
 
 TEST_CASE("Other units' frames, broken checksums and refused values change nothing") {

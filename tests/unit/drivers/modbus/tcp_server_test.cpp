@@ -71,23 +71,23 @@ TEST_CASE("Every writing function changes state, every reading one shows it") {
   Served s;
   const Context c = s.client();
   REQUIRE(modbus_write_register(c.get(), 0, 855) == 1);
-  CHECK(s.told.of(Signal::kFeedPressureBar).value == doctest::Approx(85.5));
+  await([&] { return s.told.of(Signal::kFeedPressureBar).value == doctest::Approx(85.5); });
   const std::uint16_t rpm[] = {0x43F9, 0xB000};
   REQUIRE(modbus_write_registers(c.get(), 2, 2, rpm) == 2);
-  CHECK(s.told.of(Signal::kEngineRpm).value == 499.375);
+  await([&] { return s.told.of(Signal::kEngineRpm).value == 499.375; });
   REQUIRE(modbus_write_bit(c.get(), 0, 1) == 1);
-  CHECK(s.told.of(Signal::kPercussion).value == 1);
+  await([&] { return s.told.of(Signal::kPercussion).value == 1; });
   const std::uint8_t off = 0;
   REQUIRE(modbus_write_bits(c.get(), 0, 1, &off) == 1);
-  CHECK(s.told.of(Signal::kPercussion).value == 0);
+  await([&] { return s.told.of(Signal::kPercussion).value == 0; });
   const std::uint16_t rods = 5;
   std::uint16_t got[5] = {};
   REQUIRE(modbus_write_and_read_registers(c.get(), 4, 1, &rods, 0, 5, got) == 5);
-  CHECK(s.told.of(Signal::kRodCount).value == 5);
+  await([&] { return s.told.of(Signal::kRodCount).value == 5; });
   CHECK(got[0] == 855);
   CHECK(got[4] == 5);
   REQUIRE(modbus_mask_write_register(c.get(), 4, 0xfffc, 0x0002) == 1);  // 5 & ~3 | 2 = 6
-  CHECK(s.told.of(Signal::kRodCount).value == 6);
+  await([&] { return s.told.of(Signal::kRodCount).value == 6; });
   REQUIRE(modbus_read_registers(c.get(), 0, 5, got) == 5);
   CHECK(got[2] == 0x43F9);
   CHECK(got[4] == 6);
@@ -147,7 +147,7 @@ TEST_CASE("A frame may come byte by byte or several at once; half a frame change
   CHECK(s.told.of(Signal::kFeedPressureBar).value == doctest::Approx(70));
   send_all(fd, {frame.back()});
   await([&] { return s.told.total() == 2; });
-  CHECK(s.told.of(Signal::kFeedPressureBar).value == doctest::Approx(10));
+  await([&] { return s.told.of(Signal::kFeedPressureBar).value == doctest::Approx(10); });
 
   std::vector<std::uint8_t> twice = frame;
   twice.insert(twice.end(), frame.begin(), frame.end());
