@@ -44,17 +44,16 @@ void ModbusLog::advance(double until_s, SignalBoard& board) {
   }
 }
 
-std::vector<std::string> ModbusLog::notes() const {
+std::vector<LogNote> ModbusLog::notes() const {
   const CaptureCounts& c = capture_.counts();
   const auto text = [](std::uint64_t n) { return std::to_string(n); };
-  std::vector<std::string> notes = {text(c.exchanges) + " exchanges in " +
-                                    text(static_cast<std::uint64_t>(time_s_ + 0.5)) + " s, " + text(used_) +
-                                    " used"};
-  if (c.refused > 0) notes.push_back(text(c.refused) + " requests were refused by the device");
-  if (c.unpaired > 0) notes.push_back(text(c.unpaired) + " answers fit no request of the capture");
+  std::vector<LogNote> notes = {
+      {text(c.exchanges) + " exchanges in " + seconds_text(time_s_) + " s, " + text(used_) + " used"}};
+  if (c.refused > 0) notes.push_back({text(c.refused) + " requests were refused by the device"});
+  if (c.unpaired > 0) notes.push_back({text(c.unpaired) + " answers fit no request of the capture"});
   if (c.other_functions > 0)
-    notes.push_back(text(c.other_functions) + " requests neither read nor wrote values");
-  if (c.other > 0) notes.push_back(text(c.other) + " packets are no Modbus/TCP");
+    notes.push_back({text(c.other_functions) + " requests neither read nor wrote values"});
+  if (c.other > 0) notes.push_back({text(c.other) + " packets are no Modbus/TCP"});
   return notes;
 }
 

@@ -19,7 +19,7 @@ class ModbusLog : public BusLog {
 
   std::optional<double> next_s() override;
   void advance(double until_s, SignalBoard& board) override;
-  std::vector<std::string> notes() const override;
+  std::vector<LogNote> notes() const override;
 
  private:
   void fetch();
