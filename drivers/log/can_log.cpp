@@ -81,19 +81,16 @@ void CanLog::advance(double until_s, SignalBoard& board) {
 std::vector<LogNote> CanLog::notes() const {
   const CandumpCounts& counts = reader_.counts();
   const auto text = [](std::uint64_t n) { return std::to_string(n); };
-  std::vector<LogNote> notes = {{text(counts.frames) + " frames in " +
-                                     text(static_cast<std::uint64_t>(time_s_ + 0.5)) + " s, " + text(used_) +
-                                     " used",
-                                 0}};
+  std::vector<LogNote> notes = {
+      {text(counts.frames) + " frames in " + seconds_text(time_s_) + " s, " + text(used_) + " used"}};
   if (counts.other + counts.xl > 0)
     notes.push_back({"skipped " + text(counts.other) + " lines that are no frame and " + text(counts.xl) +
-                         " CAN XL frames",
-                     0});
-  if (counts.error_frames > 0) notes.push_back({text(counts.error_frames) + " error frames", 0});
+                     " CAN XL frames"});
+  if (counts.error_frames > 0) notes.push_back({text(counts.error_frames) + " error frames"});
   if (counts.backwards > 0)
-    notes.push_back(
-        {"time runs backwards (" + text(counts.backwards) + " times in all); kept in the order of the file",
-         static_cast<std::uint64_t>(counts.first_backwards_line)});
+    notes.push_back({"time runs backwards here (and " + text(counts.backwards) +
+                         " times in all); kept in the order of the file",
+                     counts.first_backwards_line});
   return notes;
 }
 

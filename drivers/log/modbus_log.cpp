@@ -47,15 +47,13 @@ void ModbusLog::advance(double until_s, SignalBoard& board) {
 std::vector<LogNote> ModbusLog::notes() const {
   const CaptureCounts& c = capture_.counts();
   const auto text = [](std::uint64_t n) { return std::to_string(n); };
-  std::vector<LogNote> notes = {{text(c.exchanges) + " exchanges in " +
-                                     text(static_cast<std::uint64_t>(time_s_ + 0.5)) + " s, " + text(used_) +
-                                     " used",
-                                 0}};
-  if (c.refused > 0) notes.push_back({text(c.refused) + " requests were refused by the device", 0});
-  if (c.unpaired > 0) notes.push_back({text(c.unpaired) + " answers fit no request of the capture", 0});
+  std::vector<LogNote> notes = {
+      {text(c.exchanges) + " exchanges in " + seconds_text(time_s_) + " s, " + text(used_) + " used"}};
+  if (c.refused > 0) notes.push_back({text(c.refused) + " requests were refused by the device"});
+  if (c.unpaired > 0) notes.push_back({text(c.unpaired) + " answers fit no request of the capture"});
   if (c.other_functions > 0)
-    notes.push_back({text(c.other_functions) + " requests neither read nor wrote values", 0});
-  if (c.other > 0) notes.push_back({text(c.other) + " packets are no Modbus/TCP", 0});
+    notes.push_back({text(c.other_functions) + " requests neither read nor wrote values"});
+  if (c.other > 0) notes.push_back({text(c.other) + " packets are no Modbus/TCP"});
   return notes;
 }
 

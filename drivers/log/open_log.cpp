@@ -6,6 +6,11 @@
 
 namespace rigsound::log {
 
+std::string seconds_text(double seconds) {
+  const auto tenths = static_cast<std::int64_t>(seconds * 10 + 0.5);
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
+}
+
 std::unique_ptr<BusLog> open_log(const std::filesystem::path& file, const std::vector<can::CanOptions>& can,
                                  const std::vector<modbus::ModbusOptions>& modbus) {
   if (is_capture(file)) {

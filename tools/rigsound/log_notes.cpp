@@ -7,10 +7,8 @@
 namespace rigsound::tools {
 
 void print_log_notes(const std::string& file, const log::BusLog& log) {
-  for (const log::LogNote& note : log.notes()) {
-    const std::string where = note.line > 0 ? fmt::format("{}:{}", file, note.line) : file;
-    fmt::print(stderr, "{}: {}\n", where, note.text);
-  }
+  for (const log::LogNote& note : log.notes())
+    fmt::print(stderr, "{}{}: {}\n", file, note.line > 0 ? ":" + std::to_string(note.line) : "", note.text);
 }
 
 }  // namespace rigsound::tools

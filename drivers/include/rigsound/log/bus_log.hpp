@@ -14,10 +14,9 @@
 
 namespace rigsound::log {
 
-/// Something people should know about a log; `line` counts from 1, 0 means the whole file.
 struct LogNote {
   std::string text;
-  std::uint64_t line = 0;
+  int line = 0;  ///< of the file; 0: it is about the whole
 };
 
 /// Time 0 is the first entry of the log. Thread: OFF.
@@ -31,9 +30,12 @@ class BusLog {
   /// Puts every entry up to `until_s` on the board. Errors: InputError.
   virtual void advance(double until_s, SignalBoard& board) = 0;
 
-  /// What a user should know of a log read to its end, one line each, without the file's name.
+  /// What a user should know of a log read to its end.
   virtual std::vector<LogNote> notes() const = 0;
 };
+
+/// `12.3`
+std::string seconds_text(double seconds);
 
 /// Modbus/TCP when the file is a pcap or pcapng, else CAN as candump writes it. Errors: InputError for a file
 /// that cannot be read, or of a kind of bus that the rig does not have.
