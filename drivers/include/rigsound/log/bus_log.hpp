@@ -1,7 +1,6 @@
 // A recorded bus, of whatever kind, played onto the signal board at its own times.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
