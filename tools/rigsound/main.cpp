@@ -11,9 +11,9 @@ using namespace rigsound;
 namespace {
 
 constexpr tools::AddVerb kVerbs[] = {
-    tools::add_analyze, tools::add_bench,  tools::add_check,   tools::add_clicks,
-    tools::add_ctl,     tools::add_decode, tools::add_denoise, tools::add_record,
-    tools::add_render,  tools::add_replay, tools::add_resynth, tools::add_simulate,
+    tools::add_analyze, tools::add_background, tools::add_bench,    tools::add_check,  tools::add_clicks,
+    tools::add_ctl,     tools::add_decode,     tools::add_denoise,  tools::add_record, tools::add_render,
+    tools::add_replay,  tools::add_resynth,    tools::add_simulate, tools::add_tool,
 };
 
 int run(int argc, char** argv) {
