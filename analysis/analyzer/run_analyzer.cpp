@@ -48,7 +48,8 @@ std::vector<Task> tasks_of(const std::vector<Part>& parts, const AnalyzerOptions
 AnalysedPart analyse(Task& task, const std::string& sha256, const AnalyzerOptions& options) {
   const std::shared_ptr<const Recording> recording = task.source->recording();
   if (recording->source_channels > 1)
-    task.note = fmt::format("{}: {} channels mixed down to one", task.part.recording.string(), recording->source_channels);
+    task.note = fmt::format("{}: {} channels mixed down to one", task.part.recording.string(),
+                            recording->source_channels);
   const PartAnalysis analysis = analyse_part(task.part, *recording, options);
   const ClickBank& bank = analysis.built.bank;
   AnalysedPart analysed{

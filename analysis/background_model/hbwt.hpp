@@ -19,10 +19,10 @@ struct HbwtShape {
 template <class T>
 struct HbwtCoefficients {
   HbwtShape shape;
-  int length = 0;                   ///< samples of the signal
-  int frames = 0;                   ///< R, frames a column before the DWT, a multiple of 2^N
-  std::vector<std::vector<T>> d;    ///< d[n - 1]: (R >> n) x P, row by row
-  std::vector<T> a;                 ///< scaling coefficients, (R >> N) x P
+  int length = 0;                 ///< samples of the signal
+  int frames = 0;                 ///< R, frames a column before the DWT, a multiple of 2^N
+  std::vector<std::vector<T>> d;  ///< d[n - 1]: (R >> n) x P, row by row
+  std::vector<T> a;               ///< scaling coefficients, (R >> N) x P
 };
 
 /// Any length, any P = M * L; the end is padded by repeating the last period. T is float or double.

@@ -20,8 +20,7 @@ class Butterworth6 {
       const double norm = 1 / (1 + damping * t + t * t);
       const double gain = pass == Pass::kLow ? t * t * norm : norm;
       const double middle = pass == Pass::kLow ? 2 * gain : -2 * gain;
-      sections_[i] =
-          Biquad({gain, middle, gain, 2 * (t * t - 1) * norm, (1 - damping * t + t * t) * norm});
+      sections_[i] = Biquad({gain, middle, gain, 2 * (t * t - 1) * norm, (1 - damping * t + t * t) * norm});
     }
   }
 

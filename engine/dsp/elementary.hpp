@@ -14,11 +14,11 @@ constexpr double kTwoPi = 2 * kPi;
 constexpr double kLn2 = 0.69314718055994530942;
 constexpr double kLn10 = 2.30258509299404568402;
 
-double exp(double x) noexcept;    ///< e^x; 0 below -708, e^708 above 708
-double log(double x) noexcept;    ///< ln x; -745 for x <= 0
-double sin(double x) noexcept;    ///< x in radians
+double exp(double x) noexcept;  ///< e^x; 0 below -708, e^708 above 708
+double log(double x) noexcept;  ///< ln x; -745 for x <= 0
+double sin(double x) noexcept;  ///< x in radians
 double cos(double x) noexcept;
-double atan(double x) noexcept;   ///< -pi/2...pi/2
+double atan(double x) noexcept;             ///< -pi/2...pi/2
 double atan2(double y, double x) noexcept;  ///< -pi...pi; 0 at the origin
 
 inline double tan(double x) noexcept { return sin(x) / cos(x); }

@@ -13,8 +13,7 @@ bool is_fast(int M) { return M >= 4 && (M & (M - 1)) == 0; }
 }  // namespace
 
 template <class T>
-Mdct<T>::Mdct(int M)
-    : M_(M), fast_(is_fast(M)), fft_(fast_ ? M / 2 : 1), u_(static_cast<std::size_t>(M)) {
+Mdct<T>::Mdct(int M) : M_(M), fast_(is_fast(M)), fft_(fast_ ? M / 2 : 1), u_(static_cast<std::size_t>(M)) {
   for (int k = 0; k < 2 * M; ++k) window_.push_back(static_cast<T>(sin(kPi / (4 * M) * (2 * k + 1))));
   if (fast_) {
     const double scale = std::sqrt(std::sqrt(2.0 / M));

@@ -12,21 +12,21 @@ struct ClickBank {
   std::string name;
   double sample_rate = 48000;
 
-  double T_0 = 0;        ///< mean gap between clicks, samples (section 3.7)
-  double sigma_T = 0;    ///< its standard deviation, samples
-  double r_T = 0;        ///< lag-1 correlation of the gaps, -0.9...0.9
-  double p_miss = 0;     ///< share of gaps in which a strike is missing (gap doubled)
-  double p_double = 0;   ///< share of gaps cut short by a double strike
+  double T_0 = 0;       ///< mean gap between clicks, samples (section 3.7)
+  double sigma_T = 0;   ///< its standard deviation, samples
+  double r_T = 0;       ///< lag-1 correlation of the gaps, -0.9...0.9
+  double p_miss = 0;    ///< share of gaps in which a strike is missing (gap doubled)
+  double p_double = 0;  ///< share of gaps cut short by a double strike
 
-  double B = 1;          ///< mean L2 norm of the clicks
-  double sigma_B = 0;    ///< its standard deviation
-  double r_B = 0;        ///< lag-1 correlation of the amplitudes, -0.9...0.9
+  double B = 1;        ///< mean L2 norm of the clicks
+  double sigma_B = 0;  ///< its standard deviation
+  double r_B = 0;      ///< lag-1 correlation of the amplitudes, -0.9...0.9
 
-  double N_a = 0;        ///< attack, samples (eq. 5)
-  double alpha_a = 0;    ///< attack bend, 1/sample (eq. 5)
-  double alpha_d = 0;    ///< decay, 1/sample (eq. 6)
+  double N_a = 0;      ///< attack, samples (eq. 5)
+  double alpha_a = 0;  ///< attack bend, 1/sample (eq. 5)
+  double alpha_d = 0;  ///< decay, 1/sample (eq. 6)
 
-  double gain_db = 0;    ///< trim of this bank against the others, dB
+  double gain_db = 0;  ///< trim of this bank against the others, dB
 
   std::vector<std::vector<float>> clicks;  ///< each of unit L2 norm, at `sample_rate`
 };

@@ -17,7 +17,8 @@ class InputError : public std::runtime_error {
   InputError(std::string_view file, std::string_view message) : InputError(file, 0, {}, message) {}
 
  private:
-  static std::string compose(std::string_view file, int line, std::string_view key, std::string_view message) {
+  static std::string compose(std::string_view file, int line, std::string_view key,
+                             std::string_view message) {
     std::string text(file);
     if (line > 0) text += ":" + std::to_string(line);
     if (!key.empty()) text.append(": ").append(key);

@@ -24,11 +24,11 @@ constexpr int kSignalCount = 9;
 struct SignalInfo {
   std::string_view name;  ///< key in rig files and in the CSV of `rigsound decode`
   std::string_view unit;
-  double min, max;        ///< a value outside is refused
-  double absent;          ///< the value that stands when the signal was never seen
-  double idle;            ///< the value that means quiet (safety rule `idle`)
-  bool per_boom;          ///< drilling signals exist once per boom, engine signals once per rig
-  bool stepped;           ///< takes whole values only, never fades
+  double min, max;  ///< a value outside is refused
+  double absent;    ///< the value that stands when the signal was never seen
+  double idle;      ///< the value that means quiet (safety rule `idle`)
+  bool per_boom;    ///< drilling signals exist once per boom, engine signals once per rig
+  bool stepped;     ///< takes whole values only, never fades
 };
 
 /// Shape: one entry per Signal, in its order. Thread: any.
@@ -43,7 +43,15 @@ struct SignalId {
 };
 
 /// Why a signal may not be believed.
-enum class Validity : std::uint8_t { kNeverSeen, kValid, kStale, kBusDown, kErrorValue, kNotAvailable, kOutOfRange };
+enum class Validity : std::uint8_t {
+  kNeverSeen,
+  kValid,
+  kStale,
+  kBusDown,
+  kErrorValue,
+  kNotAvailable,
+  kOutOfRange
+};
 std::string_view name(Validity v);
 
 /// The word for a value of a stepped signal ("closed", "on"), or empty when the value is a plain number.

@@ -14,9 +14,9 @@ namespace rigsound {
 /// One line of soundset.toml: this bank serves that situation, rod count and rock.
 struct BankUse {
   Situation situation = Situation::kNormal;
-  int rods = 0;  ///< rod count the bank was recorded with; 0: any
-  int rock = -1; ///< index into SoundSet::rocks; -1: any
-  int bank = 0;  ///< index into SoundSet::banks
+  int rods = 0;   ///< rod count the bank was recorded with; 0: any
+  int rock = -1;  ///< index into SoundSet::rocks; -1: any
+  int bank = 0;   ///< index into SoundSet::banks
 };
 
 struct SoundSet {

@@ -67,7 +67,9 @@ TEST_CASE("MDCT equals its formula, fast and direct") {
 }
 
 TEST_CASE("perfect reconstruction: any period, any slots, even and odd") {
-  struct Case { int P, L; };
+  struct Case {
+    int P, L;
+  };
   for (const Case c : {Case{8, 1}, {640, 1}, {1024, 1}, {1024, 16}, {1024, 64}, {960, 15}, {256, 256}}) {
     const std::vector<double> x = white(static_cast<std::size_t>(c.P * 37 + 13), 1);
     CAPTURE(c.P);

@@ -16,7 +16,9 @@ struct Folder {
   fs::path path = fs::temp_directory_path() / "rigsound_atomic_file_test";
   Folder() { fs::remove_all(path), fs::create_directories(path); }
   ~Folder() { fs::remove_all(path); }
-  int files() const { return static_cast<int>(std::distance(fs::directory_iterator(path), fs::directory_iterator())); }
+  int files() const {
+    return static_cast<int>(std::distance(fs::directory_iterator(path), fs::directory_iterator()));
+  }
 };
 
 std::string content(const fs::path& path) {

@@ -15,7 +15,8 @@
 
 namespace rigsound::audio {
 
-/// 32 bit float unless another format is asked for, reproducible byte for byte. The file appears under its name on commit(). Thread: OFF.
+/// 32 bit float unless another format is asked for, reproducible byte for byte. The file appears under its
+/// name on commit(). Thread: OFF.
 class WavSink : public Sink {
  public:
   struct Format {

@@ -12,7 +12,9 @@ constexpr double kDb4Scaling[kDb4Taps] = {
     -0.18703481171909308408, 0.030841381835560763627, 0.032883011666885199735, -0.010597401785069032105};
 
 /// Wavelet filter g[k] = (-1)^k h[7 - k].
-constexpr double db4_wavelet(int k) { return (k & 1) ? -kDb4Scaling[kDb4Taps - 1 - k] : kDb4Scaling[kDb4Taps - 1 - k]; }
+constexpr double db4_wavelet(int k) {
+  return (k & 1) ? -kDb4Scaling[kDb4Taps - 1 - k] : kDb4Scaling[kDb4Taps - 1 - k];
+}
 
 /// One level of the periodised analysis: `x` of even length n into n/2 approximations and n/2 details.
 /// a[i] = sum_k h[k] x[2i + k], d[i] = sum_k g[k] x[2i + k], indices modulo n. Thread: RT.

@@ -23,8 +23,8 @@ class Fft {
 
  private:
   int size_;
-  std::vector<int> reversed_;   // bit-reversed index
-  std::vector<T> cos_, sin_;    // twiddles of every stage, one stage after the other
+  std::vector<int> reversed_;  // bit-reversed index
+  std::vector<T> cos_, sin_;   // twiddles of every stage, one stage after the other
 };
 
 extern template class Fft<float>;

@@ -30,12 +30,12 @@ class Mdct {
 
   int M_;
   bool fast_;
-  std::vector<T> window_;             // 2M
-  std::vector<T> matrix_;             // 2M x M, windowed cosines; empty when fast
-  Fft<T> fft_;                        // M/2 points when fast
+  std::vector<T> window_;                 // 2M
+  std::vector<T> matrix_;                 // 2M x M, windowed cosines; empty when fast
+  Fft<T> fft_;                            // M/2 points when fast
   std::vector<T> twist_cos_, twist_sin_;  // of the DCT-IV, scaled so that the whole is orthonormal
   std::vector<T> u_, re_, im_;
-  std::vector<double> sums_;          // of the direct form: float sums of thousands would cost 20 dB
+  std::vector<double> sums_;  // of the direct form: float sums of thousands would cost 20 dB
 };
 
 extern template class Mdct<float>;
