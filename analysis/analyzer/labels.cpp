@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "rigsound/input_error.hpp"
@@ -15,6 +16,7 @@ namespace rigsound::analysis {
 namespace {
 
 constexpr std::string_view kGrammar = "expected start<TAB>end<TAB>situation [rods=N] [rock=NAME] [rpm=R]";
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // some editors write it
 constexpr std::string_view kSituations =
     "expected normal, underfeed, overfeed, closed_rattling or open_rattling";
 
@@ -63,7 +65,12 @@ void set_text(const Place& place, const std::string& text, Label& label) {
   const auto situation = situation_by_name(word);
   if (!situation) place.complain("situation", fmt::format("'{}' is none, {}", word, kSituations));
   label.situation = *situation;
-  while (words >> word) set_key(place, word, label);
+  std::set<std::string> seen;
+  while (words >> word) {
+    const std::string key = word.substr(0, word.find('='));
+    if (!seen.insert(key).second) place.complain(key, "is given twice, expected once");
+    set_key(place, word, label);
+  }
 }
 
 Label parse(const Place& place, const std::string& text) {
@@ -91,6 +98,8 @@ std::vector<Label> read_labels(const std::filesystem::path& path) {
   std::vector<Label> labels;
   std::string text;
   for (Place place{path.string(), 1}; std::getline(in, text); ++place.line) {
+    if (place.line == 1 && text.compare(0, kByteOrderMark.size(), kByteOrderMark) == 0)
+      text.erase(0, kByteOrderMark.size());
     if (!text.empty() && text.back() == '\r') text.pop_back();
     if (text.find_first_not_of(" \t") == std::string::npos || text[0] == '\\') continue;
     labels.push_back(parse(place, text));

@@ -6,34 +6,31 @@
 #include <cmath>
 
 #include "bank/segment.hpp"
+#include "rigsound/analysis/recording.hpp"
 #include "rigsound/input_error.hpp"
 
 namespace rigsound::analysis {
 namespace {
 
 constexpr double kLongestSegment_s = 4, kLongestPaperSegment_s = 2;
-constexpr double kLabelSlack_s = 0.05;  // labels are set by hand
 
 std::string title(const Part& part) {
-  if (part.whole) return part.recording.string();
+  if (part.whole()) return part.recording.string();
   return fmt::format("{} [{:.3f}-{:.3f} s]", part.recording.string(), part.label.start_s, part.label.end_s);
 }
 
-std::vector<float> cut(const Part& part, const std::vector<float>& mono) {
-  if (part.whole) return mono;
-  const double duration = static_cast<double>(mono.size()) / kAnalysisRate;
+Recording read_part(const Part& part) {
+  if (part.whole()) return read_recording(part.recording);
+  const double duration = recording_seconds(part.recording);
   if (part.label.end_s > duration + kLabelSlack_s)
-    throw InputError(
-        part.recording.string(),
-        fmt::format("the label of line {} ends at {} s, expected at most the recording's end at {:.3f} s",
-                    part.label.line, part.label.end_s, duration));
-  const auto frame = [&](double s) {
-    return std::min(static_cast<long>(std::llround(s * kAnalysisRate)), static_cast<long>(mono.size()));
-  };
-  const long from = frame(part.label.start_s), to = frame(part.label.end_s);
-  if (static_cast<double>(to - from) < kMinRecordingSeconds * kAnalysisRate)
-    throw InputError(title(part), fmt::format("is too short, expected {} s or more", kMinRecordingSeconds));
-  return {mono.begin() + from, mono.begin() + to};
+    throw InputError(part.labels.string(), part.label.line, "end",
+                     fmt::format("{} s is behind the recording's end, expected at most {:.3f} s",
+                                 part.label.end_s, duration));
+  if (std::min(part.label.end_s, duration) - part.label.start_s < kMinRecordingSeconds)
+    throw InputError(part.labels.string(), part.label.line, "end",
+                     fmt::format("the part is {:.3f} s long, expected {} s or more",
+                                 part.label.end_s - part.label.start_s, kMinRecordingSeconds));
+  return read_recording(part.recording, {part.label.start_s, part.label.end_s});
 }
 
 std::vector<std::vector<float>> segments_of(const std::vector<float>& mono, double longest_s) {
@@ -48,11 +45,13 @@ std::vector<std::vector<float>> segments_of(const std::vector<float>& mono, doub
 
 }  // namespace
 
-PartAnalysis analyse_part(const Part& part, const Recording& recording, const AnalyzerOptions& options) {
+PartAnalysis analyse_part(const Part& part, const AnalyzerOptions& options) {
+  const Recording recording = read_part(part);
   PartAnalysis analysis;
+  analysis.source_channels = recording.source_channels;
   const bool paper = options.method == Method::kPaper;
   analysis.recorded =
-      segments_of(cut(part, recording.mono), paper ? kLongestPaperSegment_s : kLongestSegment_s);
+      segments_of(recording.mono, paper ? kLongestPaperSegment_s : kLongestSegment_s);
   ChainOptions chain;
   chain.method = options.method;
   chain.denoise = options.denoise;

@@ -73,17 +73,30 @@ std::string labelled_name(const std::string& stem, const Label& label) {
   return fmt::format("{}_{:05}ms", stem, std::llround(label.start_s * 1000));
 }
 
+/// The same sound in two banks may be meant, but is more often a slip of the mouse.
+void note_overlaps(const std::vector<Part>& parts, std::vector<std::string>& notes) {
+  for (std::size_t b = 1; b < parts.size(); ++b)
+    for (std::size_t a = 0; a < b; ++a) {
+      const Label &first = parts[a].label, &second = parts[b].label;
+      const double common = std::min(first.end_s, second.end_s) - std::max(first.start_s, second.start_s);
+      if (common > kLabelSlack_s)
+        notes.push_back(fmt::format("{}:{}: start: overlaps the label of line {} by {:.3f} s, both are analysed",
+                                    parts[b].labels.string(), second.line, first.line, common));
+    }
+}
+
 void add_labelled(const fs::path& recording, const std::string& stem, const fs::path& labels,
                   PartList& list) {
   std::vector<Part> parts;
   std::set<std::string> names;
   for (const Label& label : read_labels(labels)) {
-    parts.push_back({recording, labelled_name(stem, label), false, label});
+    parts.push_back({recording, labelled_name(stem, label), labels, label});
     if (!names.insert(parts.back().bank).second)
       throw InputError(
           labels.string(), label.line, "start",
           fmt::format("another label starts at {} s too, expected one bank a start", label.start_s));
   }
+  note_overlaps(parts, list.notes);
   list.parts.insert(list.parts.end(), parts.begin(), parts.end());
 }
 
@@ -110,7 +123,7 @@ PartList list_parts(const AnalyzerOptions& options) {
     fs::path labels = options.labels.empty() ? fs::path(recording).replace_extension(".txt") : options.labels;
     std::error_code none;
     if (options.labels.empty() && !fs::exists(labels, none)) {
-      Part part{recording, stem, true, {}};
+      Part part{recording, stem, {}, {}};
       part.label.situation = options.situation;
       list.parts.push_back(part);
       continue;

@@ -11,7 +11,7 @@
 #include "analyzer/part_analysis.hpp"
 #include "analyzer/part_list.hpp"
 #include "analyzer/run_lock.hpp"
-#include "analyzer/source.hpp"
+#include "analyzer/source_hash.hpp"
 #include "bank/lint.hpp"
 #include "report/report_section.hpp"
 #include "rigsound/analysis/analyzer.hpp"
@@ -27,7 +27,7 @@ namespace {
 
 struct Task {
   Part part;
-  std::shared_ptr<Source> source;
+  std::shared_ptr<SourceHash> source;
   std::optional<AnalysedPart> done;
   std::string failure, note;
 };
@@ -36,21 +36,21 @@ std::vector<Task> tasks_of(const std::vector<Part>& parts, const AnalyzerOptions
   std::vector<Part> ours;
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (static_cast<int>(i + 1) % options.shards == options.shard % options.shards) ours.push_back(parts[i]);
-  std::map<fs::path, int> count;
-  for (const Part& part : ours) ++count[part.recording];
-  std::map<fs::path, std::shared_ptr<Source>> sources;
-  for (const auto& [path, parts_of_it] : count) sources[path] = std::make_shared<Source>(path, parts_of_it);
+  std::map<fs::path, std::shared_ptr<SourceHash>> hashes;
   std::vector<Task> tasks;
-  for (const Part& part : ours) tasks.push_back({part, sources[part.recording], std::nullopt, {}, {}});
+  for (const Part& part : ours) {
+    std::shared_ptr<SourceHash>& hash = hashes[part.recording];
+    if (!hash) hash = std::make_shared<SourceHash>(part.recording);
+    tasks.push_back({part, hash, std::nullopt, {}, {}});
+  }
   return tasks;
 }
 
 AnalysedPart analyse(Task& task, const std::string& sha256, const AnalyzerOptions& options) {
-  const std::shared_ptr<const Recording> recording = task.source->recording();
-  if (recording->source_channels > 1)
+  const PartAnalysis analysis = analyse_part(task.part, options);
+  if (analysis.source_channels > 1)
     task.note = fmt::format("{}: {} channels mixed down to one", task.part.recording.string(),
-                            recording->source_channels);
-  const PartAnalysis analysis = analyse_part(task.part, *recording, options);
+                            analysis.source_channels);
   const ClickBank& bank = analysis.built.bank;
   AnalysedPart analysed{
       task.part, false, bank.T_0, static_cast<int>(bank.clicks.size()), analysis.built.figures, {}};
@@ -73,7 +73,6 @@ void run_task(Task& task, const AnalyzerOptions& options) {
   } catch (const std::exception& error) {
     task.failure = task.part.recording.string() + ": cannot be analysed: " + error.what();
   }
-  task.source->finish_part();
 }
 
 /// Counts analysed parts and tells the caller, one thread at a time.
@@ -127,6 +126,7 @@ AnalyzerResult run_analyzer(const AnalyzerOptions& options, const AnalyzerProgre
 
   AnalyzerResult result;
   result.failures = std::move(list.failures);
+  result.notes = std::move(list.notes);
   std::set<std::string> said(result.failures.begin(), result.failures.end());
   for (Task& task : tasks) {
     if (!task.note.empty() && said.insert(task.note).second) result.notes.push_back(task.note);

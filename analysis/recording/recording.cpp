@@ -45,25 +45,46 @@ void check_format(const std::filesystem::path& path, const SF_INFO& info) {
                      fmt::format("{:.3f} s long, expected {} s or more", seconds, kMinRecordingSeconds));
 }
 
-std::vector<float> read_mixed_down(SNDFILE* sound, const SF_INFO& info) {
-  const int channels = info.channels;
-  std::vector<float> frames(static_cast<size_t>(info.frames) * channels);
-  const sf_count_t got = sf_readf_float(sound, frames.data(), info.frames);
-  std::vector<float> mono(static_cast<size_t>(std::max<sf_count_t>(got, 0)));
-  for (size_t n = 0; n < mono.size(); ++n) {
-    float sum = 0;
-    for (int c = 0; c < channels; ++c) sum += frames[n * channels + c];
-    mono[n] = sum / static_cast<float>(channels);
+/// Frames of the file, from `begin` up to `end`.
+struct Frames {
+  sf_count_t begin, end;
+};
+
+Frames frames_of(const Stretch& stretch, const SF_INFO& info) {
+  const auto frame = [&](double s) {
+    return std::llround(std::min(s * info.samplerate, static_cast<double>(info.frames)));
+  };
+  return {frame(stretch.start_s), frame(stretch.end_s)};
+}
+
+/// Block by block: a long recording is never in memory with all its channels.
+std::vector<float> read_mixed_down(SNDFILE* sound, int channels, const Frames& frames) {
+  constexpr sf_count_t kBlock = 1 << 14;
+  std::vector<float> block(static_cast<size_t>(kBlock * channels)), mono;
+  if (sf_seek(sound, frames.begin, SEEK_SET) != frames.begin) return mono;
+  mono.reserve(static_cast<size_t>(frames.end - frames.begin));
+  for (sf_count_t left = frames.end - frames.begin; left > 0;) {
+    const sf_count_t got = sf_readf_float(sound, block.data(), std::min(kBlock, left));
+    if (got <= 0) break;
+    for (sf_count_t n = 0; n < got; ++n) {
+      float sum = 0;
+      for (int c = 0; c < channels; ++c) sum += block[static_cast<size_t>(n * channels + c)];
+      mono.push_back(sum / static_cast<float>(channels));
+    }
+    left -= got;
   }
   return mono;
 }
 
-void check_samples(const std::filesystem::path& path, const std::vector<float>& mono, int rate) {
+void check_samples(const std::filesystem::path& path, const std::vector<float>& mono, sf_count_t begin,
+                   int rate) {
   const auto bad = std::find_if(mono.begin(), mono.end(), [](float x) { return !std::isfinite(x); });
-  if (bad != mono.end())
+  if (bad != mono.end()) {
+    const auto at = begin + (bad - mono.begin());
     throw InputError(path.string(),
-                     fmt::format("sample {} ({:.3f} s) is not a number, expected finite samples",
-                                 bad - mono.begin(), static_cast<double>(bad - mono.begin()) / rate));
+                     fmt::format("sample {} ({:.3f} s) is not a number, expected finite samples", at,
+                                 static_cast<double>(at) / rate));
+  }
   const auto [low, high] = std::minmax_element(mono.begin(), mono.end());
   if (*high - *low < 1e-6f)
     throw InputError(path.string(), "silent, no drilling found; expected a recording of drilling");
@@ -71,17 +92,30 @@ void check_samples(const std::filesystem::path& path, const std::vector<float>& 
 
 }  // namespace
 
-Recording read_recording(const std::filesystem::path& path) {
+Recording read_recording(const std::filesystem::path& path, const Stretch& stretch) {
   SF_INFO info{};
   const Sound sound = open(path, info);
   check_format(path, info);
-  const std::vector<float> mono = read_mixed_down(sound.get(), info);
+  const Frames frames = frames_of(stretch, info);
+  const double seconds = static_cast<double>(frames.end - frames.begin) / info.samplerate;
+  if (seconds < kMinRecordingSeconds)
+    throw InputError(path.string(), fmt::format("the stretch from {:.3f} s is {:.3f} s long, expected {} s or more",
+                                                stretch.start_s, std::max(seconds, 0.0), kMinRecordingSeconds));
+  const std::vector<float> mono = read_mixed_down(sound.get(), info.channels, frames);
   if (static_cast<double>(mono.size()) < kMinRecordingSeconds * info.samplerate)
-    throw InputError(path.string(), fmt::format("cut off after {} of {} frames, expected the whole file",
-                                                mono.size(), info.frames));
-  check_samples(path, mono, info.samplerate);
+    throw InputError(path.string(),
+                     fmt::format("cut off after {} of {} frames, expected the whole file",
+                                 frames.begin + static_cast<sf_count_t>(mono.size()), info.frames));
+  check_samples(path, mono, frames.begin, info.samplerate);
   return {resample(mono, info.samplerate, static_cast<int>(kAnalysisRate)), info.samplerate, info.channels,
           static_cast<long>(mono.size())};
+}
+
+double recording_seconds(const std::filesystem::path& path) {
+  SF_INFO info{};
+  const Sound sound = open(path, info);
+  check_format(path, info);
+  return static_cast<double>(info.frames) / info.samplerate;
 }
 
 std::vector<float> at_source_rate(const Recording& recording, const std::vector<float>& x) {

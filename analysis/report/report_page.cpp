@@ -99,7 +99,7 @@ std::string section_head(const AnalysedPart& p) {
       p.figures.rate_hz, p.figures.clicks_found, p.clicks, 1e3 * p.figures.decay_s,
       number(p.figures.level_db, 1), number(p.figures.snr_db, 1));
   html += fmt::format("<p class=\"quiet\">{}", html_text(p.part.recording.string()));
-  if (!p.part.whole) html += fmt::format(", {:.3f} to {:.3f} s", l.start_s, l.end_s);
+  if (!p.part.whole()) html += fmt::format(", {:.3f} to {:.3f} s", l.start_s, l.end_s);
   html +=
       fmt::format(", drilling in {} of {} segments</p>\n", p.figures.segments_drilling, p.figures.segments);
   for (const std::string& warning : p.warnings) html += "<p class=\"warn\">" + html_text(warning) + "</p>\n";

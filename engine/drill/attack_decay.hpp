@@ -16,6 +16,8 @@ class AttackDecay {
     full_ = straight_ ? 1 : 1 - dsp::exp(-bend_total);
   }
 
+  bool decaying() const noexcept { return decaying_; }
+
   double next() noexcept {
     if (n_ <= N_a_ && N_a_ > 0) {
       const double a = straight_ ? n_ / N_a_ : (1 - power_) / full_;

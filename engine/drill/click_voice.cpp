@@ -6,12 +6,22 @@
 namespace rigsound::drill {
 namespace {
 
-// A click made shorter in attack would need boundless gain at its first samples, where there is little
-// but noise; 12 dB keeps the change audible without lifting that noise.
-constexpr double kMaxReshape = 4;
+// A bent attack made shorter would need boundless gain at its first samples, where there is little but noise.
+// A straight one needs 1 / factor, 20 dB at most.
+constexpr double kMaxAttackGain = 10;
+// A click ends 60 dB down. Made longer, its end is still 30 dB down and nobody hears it stop.
+constexpr double kMaxDecayGain = 31.6;
 constexpr double kSilence = 1e-9;
 
 }  // namespace
+
+double ClickVoice::next_ratio() noexcept {
+  const double limit = was_.decaying() ? kMaxDecayGain : kMaxAttackGain;
+  const double was = was_.next();
+  const double wanted = wanted_.next();
+  if (was > kSilence) ratio_ = std::min(wanted / was, limit);
+  return ratio_;
+}
 
 void ClickVoice::start(const ClickBank& bank, const std::vector<float>& click, int delay, double gain,
                        const DrillControls& controls) noexcept {
@@ -26,10 +36,10 @@ void ClickVoice::start(const ClickBank& bank, const std::vector<float>& click, i
   was_ = AttackDecay(bank.N_a, bank.alpha_a, bank.alpha_d);
   wanted_ = AttackDecay(bank.N_a * attack, bank.alpha_a / attack, bank.alpha_d * decay);
   // Both envelopes are 0 at their first sample; their ratio there is taken from the second.
-  AttackDecay was = was_, wanted = wanted_;
-  was.next(), wanted.next();
-  const double second = was.next();
-  ratio_ = second > kSilence ? std::min(wanted.next() / second, kMaxReshape) : 1;
+  const AttackDecay was = was_, wanted = wanted_;
+  ratio_ = 1;
+  next_ratio(), next_ratio();
+  was_ = was, wanted_ = wanted;
 }
 
 void ClickVoice::add_to(double* bus) noexcept {
@@ -40,12 +50,7 @@ void ClickVoice::add_to(double* bus) noexcept {
   if (!reshaped_) {
     for (int n = 0; n < count; ++n) out[n] += gain_ * static_cast<double>(position_[n]);
   } else {
-    for (int n = 0; n < count; ++n) {
-      const double was = was_.next();
-      const double wanted = wanted_.next();
-      if (was > kSilence) ratio_ = std::min(wanted / was, kMaxReshape);
-      out[n] += gain_ * ratio_ * static_cast<double>(position_[n]);
-    }
+    for (int n = 0; n < count; ++n) out[n] += gain_ * next_ratio() * static_cast<double>(position_[n]);
   }
   position_ += count;
 }

@@ -23,6 +23,9 @@ class ClickVoice {
   bool sounding() const noexcept { return position_ != end_; }
 
  private:
+  /// What the next sample is multiplied by to turn the bank's envelope into the wanted one.
+  double next_ratio() noexcept;
+
   const float* position_ = nullptr;
   const float* end_ = nullptr;
   int delay_ = 0;

@@ -8,7 +8,7 @@
 #include <map>
 #include <string>
 
-#include "analyzer/source.hpp"
+#include "analyzer/source_hash.hpp"
 #include "bank/lint.hpp"
 #include "rigsound/analysis/analyzer.hpp"
 #include "rigsound/analysis/report.hpp"

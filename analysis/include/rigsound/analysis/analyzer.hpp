@@ -31,9 +31,11 @@ struct AnalyzerOptions {
 /// A stretch of one recording that becomes one bank.
 struct Part {
   std::filesystem::path recording;
-  std::string bank;    ///< name of its bank
-  bool whole = false;  ///< no label: from start to end
+  std::string bank;              ///< name of its bank
+  std::filesystem::path labels;  ///< file of its label; empty: none, the part is the whole recording
   Label label;
+
+  bool whole() const { return labels.empty(); }
 };
 
 struct AnalysedPart {

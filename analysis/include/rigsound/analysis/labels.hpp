@@ -9,6 +9,8 @@
 
 namespace rigsound::analysis {
 
+constexpr double kLabelSlack_s = 0.05;  ///< labels are set by hand
+
 struct Label {
   double start_s = 0, end_s = 0;
   Situation situation = Situation::kNormal;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <vector>
 
 namespace rigsound::analysis {
@@ -10,17 +11,25 @@ struct Recording {
   std::vector<float> mono;  ///< samples at kAnalysisRate, full scale 1
   int source_rate = 0;      ///< Hz, of the file
   int source_channels = 0;  ///< of the file; more than one were averaged into `mono`
-  long source_frames = 0;   ///< length of the file at its own rate
+  long source_frames = 0;   ///< samples read, at the file's own rate
 };
 
 constexpr int kMinSourceRate = 16000;  ///< Hz; below it the clicks' bandwidth is not there
 constexpr int kMaxSourceChannels = 2;  ///< microphones on one drill; more is a mixing desk's file
 constexpr double kMinRecordingSeconds = 0.25;
 
-/// Reads any file libsndfile reads, averages its channels and resamples it to kAnalysisRate.
-/// Errors: InputError when the file is missing, unreadable, empty, too short, silent, holds a sample
-/// that is not finite, or lies outside the ranges above. Thread: OFF.
-Recording read_recording(const std::filesystem::path& path);
+/// A piece of a recording; what lies behind its end is not there.
+struct Stretch {
+  double start_s = 0, end_s = std::numeric_limits<double>::infinity();
+};
+
+/// Reads a stretch of any file libsndfile reads, averages its channels and resamples it to kAnalysisRate.
+/// Errors: InputError when the file is missing, unreadable, or lies outside the ranges above, or the stretch
+/// is empty, too short, silent, or holds a sample that is not finite. Thread: OFF.
+Recording read_recording(const std::filesystem::path& path, const Stretch& stretch = {});
+
+/// Length of the file. Errors: InputError as above. Thread: OFF.
+double recording_seconds(const std::filesystem::path& path);
 
 /// `x` at kAnalysisRate, as long as `recording.mono`, brought to the rate and length of the file. Thread:
 /// OFF.

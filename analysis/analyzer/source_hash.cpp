@@ -1,9 +1,10 @@
-#include "analyzer/source.hpp"
+#include "analyzer/source_hash.hpp"
 
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
 #include <fstream>
+#include <memory>
 #include <vector>
 
 #include "rigsound/input_error.hpp"
@@ -28,21 +29,10 @@ std::string file_sha256(const std::filesystem::path& path) {
   return hex;
 }
 
-std::string Source::sha256() {
+std::string SourceHash::sha256() {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (sha256_.empty()) sha256_ = file_sha256(path_);
   return sha256_;
-}
-
-std::shared_ptr<const Recording> Source::recording() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (!recording_) recording_ = std::make_shared<const Recording>(read_recording(path_));
-  return recording_;
-}
-
-void Source::finish_part() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (--parts_left_ == 0) recording_.reset();
 }
 
 }  // namespace rigsound::analysis
