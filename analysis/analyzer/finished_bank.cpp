@@ -74,7 +74,8 @@ std::string settings_of(const Part& part, const AnalyzerOptions& options) {
   std::string text = fmt::format("revision={} method={} denoise={} clicks={}", kAnalysisRevision,
                                  options.method == Method::kPaper ? "paper" : "click-nmf",
                                  options.denoise ? "yes" : "no", options.clicks);
-  if (!part.whole()) text += fmt::format(" start_s={:.6f} end_s={:.6f}", part.label.start_s, part.label.end_s);
+  if (!part.whole())
+    text += fmt::format(" start_s={:.6f} end_s={:.6f}", part.label.start_s, part.label.end_s);
   return text;
 }
 

@@ -49,9 +49,9 @@ PartAnalysis analyse_part(const Part& part, const AnalyzerOptions& options) {
   const Recording recording = read_part(part);
   PartAnalysis analysis;
   analysis.source_channels = recording.source_channels;
+  analysis.start_s = part.label.start_s;
   const bool paper = options.method == Method::kPaper;
-  analysis.recorded =
-      segments_of(recording.mono, paper ? kLongestPaperSegment_s : kLongestSegment_s);
+  analysis.recorded = segments_of(recording.mono, paper ? kLongestPaperSegment_s : kLongestSegment_s);
   ChainOptions chain;
   chain.method = options.method;
   chain.denoise = options.denoise;

@@ -9,6 +9,7 @@ namespace rigsound::analysis {
 
 struct PartAnalysis {
   int source_channels = 0;                   ///< of the recording
+  double start_s = 0;                        ///< of the part in it
   std::vector<std::vector<float>> recorded;  ///< the segments as they were cut
   std::vector<ChainResult> segments;         ///< and what became of each
   BuiltBank built;

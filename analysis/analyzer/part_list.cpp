@@ -80,8 +80,9 @@ void note_overlaps(const std::vector<Part>& parts, std::vector<std::string>& not
       const Label &first = parts[a].label, &second = parts[b].label;
       const double common = std::min(first.end_s, second.end_s) - std::max(first.start_s, second.start_s);
       if (common > kLabelSlack_s)
-        notes.push_back(fmt::format("{}:{}: start: overlaps the label of line {} by {:.3f} s, both are analysed",
-                                    parts[b].labels.string(), second.line, first.line, common));
+        notes.push_back(
+            fmt::format("{}:{}: start: overlaps the label of line {} by {:.3f} s, both are analysed",
+                        parts[b].labels.string(), second.line, first.line, common));
     }
 }
 

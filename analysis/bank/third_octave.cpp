@@ -62,7 +62,7 @@ BandLevels third_octave_levels(const std::vector<float>& x) {
     ++frames;
     start += kFrame / 2;
   } while (start + kFrame <= size);
-  power /= static_cast<double>(frames) * window.square().sum();
+  power *= 2 / (static_cast<double>(frames) * window.square().sum() * kFrame);  // one-sided
   return in_bands(power, kAnalysisRate / kFrame, third_octaves(1000, -12, 12), kSilence);
 }
 

@@ -10,7 +10,8 @@ struct BandLevels {
   std::vector<double> level_db;
 };
 
-/// 62.5 Hz...16 kHz at 48 kHz; Hann frames of 8192, half overlapping; dB re full-scale square. Thread: OFF.
+/// 62.5 Hz...16 kHz at 48 kHz; Hann frames of 8192, half overlapping; the mean square in each band,
+/// dB re full-scale square. Thread: OFF.
 BandLevels third_octave_levels(const std::vector<float>& x);
 
 /// Envelope (RMS of 1 ms, over its mean) in third-octave bands of modulation frequency, 1...256 Hz, dB.

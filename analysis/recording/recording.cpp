@@ -99,8 +99,9 @@ Recording read_recording(const std::filesystem::path& path, const Stretch& stret
   const Frames frames = frames_of(stretch, info);
   const double seconds = static_cast<double>(frames.end - frames.begin) / info.samplerate;
   if (seconds < kMinRecordingSeconds)
-    throw InputError(path.string(), fmt::format("the stretch from {:.3f} s is {:.3f} s long, expected {} s or more",
-                                                stretch.start_s, std::max(seconds, 0.0), kMinRecordingSeconds));
+    throw InputError(path.string(),
+                     fmt::format("the stretch from {:.3f} s is {:.3f} s long, expected {} s or more",
+                                 stretch.start_s, std::max(seconds, 0.0), kMinRecordingSeconds));
   const std::vector<float> mono = read_mixed_down(sound.get(), info.channels, frames);
   if (static_cast<double>(mono.size()) < kMinRecordingSeconds * info.samplerate)
     throw InputError(path.string(),

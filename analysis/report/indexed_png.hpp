@@ -12,8 +12,7 @@ struct Colour {
   std::uint8_t red, green, blue;
 };
 
-/// `pixels` row by row from the top, `width` to a row, values 0...15 into `palette`. Stored, not compressed:
-/// four bits a pixel are little enough. Thread: OFF.
+/// `pixels` row by row from the top, `width` to a row, values 0...15 into `palette`. Thread: OFF.
 std::string png_data_uri(const std::vector<std::uint8_t>& pixels, int width,
                          const std::array<Colour, 16>& palette);
 

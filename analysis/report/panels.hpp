@@ -1,19 +1,28 @@
-// The charts of one bank.
+// The charts of one bank. All functions: thread OFF.
 #pragma once
 
 #include <string>
 
 #include "bank/segment.hpp"
+#include "report/plot.hpp"
 #include "rigsound/click_bank.hpp"
 
 namespace rigsound::analysis {
 
-/// Spectrograms of the recording, of what was taken away, and of what is left. Thread: OFF, and so are the
-/// others.
-std::string spectrogram_panels(const std::vector<float>& recorded, const ChainResult& segment);
-/// The first second: recording, drilling, and a line at every detected click.
-std::string waveform_panel(const std::vector<float>& recorded, const ChainResult& segment);
-/// Mean level after a click against the envelope that was fitted.
+// Sizes of the charts side by side on a page of 1200 pixels.
+constexpr PlotSize kThird{392, 210}, kHalf{594, 230}, kFifth{233, 120};
+
+/// One segment of a part, as far as it is shown.
+struct ShownSegment {
+  const std::vector<float>& recorded;
+  const ChainResult& chain;
+  double start_s;  ///< in the recording
+};
+
+/// On one axis of time, at most two seconds: spectrograms of the recording, of what was taken away and of
+/// what is left; below them the waveform before and after with a line at every detected click.
+std::string time_panels(const ShownSegment& segment);
+/// Mean level after a click, as recorded and whitened as the fit heard it, against the fitted envelope.
 std::string envelope_panel(const ChainResult& segment);
 /// Every click of the bank.
 std::string click_panels(const ClickBank& bank);

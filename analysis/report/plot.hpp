@@ -21,22 +21,30 @@ Axis linear_axis(std::string label, double low, double high, int count = 5);
 /// An axis of frequencies with ticks at `at` (Hz).
 Axis frequency_axis(std::string label, double low, double high, const std::vector<double>& at);
 
+/// Of a chart, in pixels of a page as wide as it is meant to be.
+struct PlotSize {
+  double width = 0, height = 0;
+  double right = 10;  ///< margin beside the plane
+};
+
 /// Marks are drawn in the order they are added; `css_class` decides their colour. Points outside the axes are
-/// moved to their edge. Thread: OFF.
+/// moved to their edge. An axis without a label takes less room. Thread: OFF.
 class Plot {
  public:
-  Plot(std::string title, Axis x, Axis y, double width = 420, double height = 170);
+  Plot(std::string title, Axis x, Axis y, const PlotSize& size);
 
   void line(const std::vector<double>& x, const std::vector<double>& y, const std::string& css_class);
-  /// The area between two curves over the same x.
-  void area(const std::vector<double>& x, const std::vector<double>& low, const std::vector<double>& high,
-            const std::string& css_class);
+  /// A stroke from low to high at each x, to whole pixels.
+  void strokes(const std::vector<double>& x, const std::vector<double>& low, const std::vector<double>& high,
+               const std::string& css_class);
   /// One bar from edge to edge; `edges` has one value more than `heights`.
   void bars(const std::vector<double>& edges, const std::vector<double>& heights,
             const std::string& css_class);
   void verticals(const std::vector<double>& x, const std::string& css_class);
   /// A picture over the whole plane of the plot.
   void image(const std::string& data_uri);
+  /// What the colours of the picture stand for, in the right margin: from low to high of `scale`.
+  void colour_bar(const std::vector<std::string>& colours, const Axis& scale);
   /// A word in the colour of a curve, above the plot.
   void legend(const std::string& word, const std::string& css_class);
 
@@ -50,7 +58,7 @@ class Plot {
 
   std::string title_;
   Axis x_, y_;
-  double width_, height_;
+  double width_, height_, right_, bottom_;  ///< the plane ends at right_ and bottom_
   std::string marks_, legend_;
 };
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
 
 #include "report/panels.hpp"
 #include "rigsound/analysis/resynth.hpp"
@@ -17,17 +17,45 @@ std::string row(const char* css_class, const std::string& panels) {
   return fmt::format("<div class=\"{}\">\n{}</div>\n", css_class, panels);
 }
 
+ShownSegment first_drilling(const PartAnalysis& analysis) {
+  double start_s = analysis.start_s;
+  std::size_t s = 0;
+  for (; !has_drilling(analysis.segments[s]); ++s)
+    start_s += static_cast<double>(analysis.recorded[s].size()) / kAnalysisRate;
+  return {analysis.recorded[s], analysis.segments[s], start_s};
+}
+
+/// What the engine draws from and what was fitted, in the paper's symbols.
+std::string bank_figures(const ClickBank& bank) {
+  const double ms = 1e3 / bank.sample_rate, decibels = 20 / std::log(10.0);
+  std::string html = "<dl>";
+  const auto add = [&html](const char* symbol, const std::string& value) {
+    html += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", symbol, value);
+  };
+  add("T<sub>0</sub>", fmt::format("{:.2f} ms", bank.T_0 * ms));
+  add("σ<sub>T</sub>", fmt::format("{:.2f} ms ({:.1f} %)", bank.sigma_T * ms, 100 * bank.sigma_T / bank.T_0));
+  add("r<sub>T</sub>", fmt::format("{:.2f}", bank.r_T));
+  add("missed", fmt::format("{:.1f} %", 100 * bank.p_miss));
+  add("doubled", fmt::format("{:.1f} %", 100 * bank.p_double));
+  add("B", fmt::format("{:.3g}", bank.B));
+  add("σ<sub>B</sub>", fmt::format("{:.0f} %", 100 * bank.sigma_B / bank.B));
+  add("r<sub>B</sub>", fmt::format("{:.2f}", bank.r_B));
+  add("N<sub>a</sub>", fmt::format("{:.2f} ms", bank.N_a * ms));
+  add("α<sub>a</sub> N<sub>a</sub>", fmt::format("{:.2f}", bank.alpha_a * bank.N_a));
+  add("α<sub>d</sub>", fmt::format("{:.2f} dB/ms", bank.alpha_d * decibels / ms));
+  return html + "</dl>\n";
+}
+
 }  // namespace
 
 std::string report_section(const PartAnalysis& analysis) {
   const Segments drilling = with_drilling(analysis.segments);
-  const auto shown = std::find_if(analysis.segments.begin(), analysis.segments.end(), has_drilling);
-  const std::vector<float>& recorded =
-      analysis.recorded[static_cast<std::size_t>(shown - analysis.segments.begin())];
+  const ShownSegment shown = first_drilling(analysis);
   const ClickBank& bank = analysis.built.bank;
   const std::vector<float> synthesis = resynthesise(bank, kSynthesisSeconds, kSynthesisSeed).sound;
-  return row("three", spectrogram_panels(recorded, *shown)) + row("one", waveform_panel(recorded, *shown)) +
-         row("three", envelope_panel(*shown) + gap_panel(drilling, bank) + amplitude_panel(drilling, bank)) +
+  return bank_figures(bank) + row("one", time_panels(shown)) +
+         row("three",
+             envelope_panel(shown.chain) + gap_panel(drilling, bank) + amplitude_panel(drilling, bank)) +
          row("two", third_octave_panel(drilling, synthesis) + modulation_panel(drilling, synthesis)) +
          row("five", click_panels(bank));
 }

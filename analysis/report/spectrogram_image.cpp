@@ -5,33 +5,14 @@
 #include <cmath>
 
 #include "denoise/stft.hpp"
-#include "report/indexed_png.hpp"
 #include "rigsound/analysis/chain.hpp"
 
 namespace rigsound::analysis {
 namespace {
 
-constexpr int kRows = 72, kMaxColumns = 360;
-constexpr double kRangeDb = 64;
-constexpr StftShape kShape{1024, 256, 1024};
-
-// Dark violet over red and orange to pale yellow: even steps of lightness, so it prints in grey too.
-constexpr std::array<Colour, 16> kPalette = {{{0, 0, 4},
-                                              {12, 8, 38},
-                                              {31, 12, 72},
-                                              {54, 9, 94},
-                                              {78, 13, 108},
-                                              {101, 21, 110},
-                                              {125, 30, 109},
-                                              {147, 38, 103},
-                                              {170, 46, 93},
-                                              {190, 57, 80},
-                                              {209, 70, 65},
-                                              {226, 88, 48},
-                                              {239, 110, 30},
-                                              {248, 138, 12},
-                                              {251, 175, 40},
-                                              {252, 246, 164}}};
+constexpr int kRows = 60, kMaxColumns = 600;
+constexpr StftShape kShape{768, 128,
+                           1024};  // clicks at 60 Hz stay apart, orders of the diesel do so above 100 Hz
 
 /// kRows log-spaced bands by at most kMaxColumns columns, mean power.
 Eigen::ArrayXXd band_powers(const std::vector<float>& x) {
@@ -62,9 +43,9 @@ std::string spectrogram_image(const std::vector<float>& x, double reference) {
   for (long row = kRows; row-- > 0;)
     for (long c = 0; c < bands.cols(); ++c) {
       const double db = 10 * std::log10(std::max(bands(row, c), 1e-30) / std::max(reference, 1e-30));
-      pixels.push_back(static_cast<std::uint8_t>(std::clamp(15 * (1 + db / kRangeDb), 0.0, 15.0)));
+      pixels.push_back(static_cast<std::uint8_t>(std::clamp(15 * (1 + db / kSpectrogramRangeDb), 0.0, 15.0)));
     }
-  return png_data_uri(pixels, static_cast<int>(bands.cols()), kPalette);
+  return png_data_uri(pixels, static_cast<int>(bands.cols()), kSpectrogramPalette);
 }
 
 }  // namespace rigsound::analysis

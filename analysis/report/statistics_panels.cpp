@@ -35,18 +35,24 @@ std::string histogram(const char* title, const char* unit, const std::vector<dou
     y.push_back(deviation > 1e-6 * mean ? width * lognormal_density(x.back(), mean, deviation) : 0);
   }
   const double top = 1.1 * *std::max_element(share.begin(), share.end());
-  Plot plot(title, linear_axis(unit, from, to), linear_axis("share", 0, top, 4));
+  Plot plot(title, linear_axis(unit, from, to), linear_axis("share of clicks", 0, top, 4), kThird);
   plot.bars(edges, share, "first");
   plot.line(x, y, "third");
   plot.legend("measured", "first");
-  plot.legend("drawn by the engine", "third");
+  plot.legend("engine", "third");
   return plot.svg();
 }
 
-std::string spectrum(const char* title, Axis x, const BandLevels& recorded, const BandLevels& synthesised,
-                     double range_db) {
-  const double loudest = *std::max_element(recorded.level_db.begin(), recorded.level_db.end());
-  Plot plot(title, std::move(x), linear_axis("dB", loudest - range_db, loudest + 6));
+/// Down from a little above the loudest of both.
+Axis level_axis(std::string label, const BandLevels& a, const BandLevels& b, double range_db) {
+  const double loudest = std::max(*std::max_element(a.level_db.begin(), a.level_db.end()),
+                                  *std::max_element(b.level_db.begin(), b.level_db.end()));
+  return linear_axis(std::move(label), loudest + 3 - range_db, loudest + 3);
+}
+
+std::string spectrum(const char* title, Axis x, Axis y, const BandLevels& recorded,
+                     const BandLevels& synthesised) {
+  Plot plot(title, std::move(x), std::move(y), kHalf);
   plot.line(recorded.centre_hz, recorded.level_db, "first");
   plot.line(synthesised.centre_hz, synthesised.level_db, "third");
   plot.legend("recorded", "first");
@@ -75,17 +81,22 @@ std::string amplitude_panel(const Segments& segments, const ClickBank& bank) {
 }
 
 std::string third_octave_panel(const Segments& segments, const std::vector<float>& synthesis) {
+  const BandLevels recorded = recorded_levels(segments, Levels::kGivenBack),
+                   synthesised = third_octave_levels(synthesis);
   return spectrum("Third-octave levels",
                   frequency_axis("Hz", 60, 16500, {63, 125, 250, 500, 1000, 2000, 4000, 8000, 16000}),
-                  recorded_levels(segments, Levels::kGivenBack), third_octave_levels(synthesis), 60);
+                  level_axis("dB re full scale", recorded, synthesised, 50), recorded, synthesised);
 }
 
 std::string modulation_panel(const Segments& segments, const std::vector<float>& synthesis) {
   const auto longest = std::max_element(segments.begin(), segments.end(), [](const auto& a, const auto& b) {
     return a.drilling.size() < b.drilling.size();
   });
-  return spectrum("Modulation spectrum", frequency_axis("Hz", 1, 260, {1, 2, 4, 8, 16, 32, 64, 128, 256}),
-                  modulation_levels(longest->drilling), modulation_levels(synthesis), 45);
+  const BandLevels recorded = modulation_levels(longest->drilling),
+                   synthesised = modulation_levels(synthesis);
+  return spectrum("Modulation spectrum of the envelope",
+                  frequency_axis("modulation frequency, Hz", 1, 260, {1, 2, 4, 8, 16, 32, 64, 128, 256}),
+                  level_axis("dB re the mean", recorded, synthesised, 45), recorded, synthesised);
 }
 
 }  // namespace rigsound::analysis

@@ -1,0 +1,101 @@
+// Panels of single clicks: the fitted envelope, and the clicks of the bank.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "clicks/envelope.hpp"
+#include "clicks/gaps.hpp"
+#include "clicks/whitening.hpp"
+#include "report/outline.hpp"
+#include "report/panels.hpp"
+
+namespace rigsound::analysis {
+namespace {
+
+constexpr std::size_t kClickColumns = 120;
+constexpr double kEnvelopeRangeDb = 50;
+constexpr int kEnvelopeBlock = 24;  // samples, half a millisecond
+constexpr int kWhitenerOrder = 64;
+
+using Course = std::vector<double>;  // power of each block after an onset
+
+/// Mean over all clicks, up to one period.
+Course mean_course(const std::vector<int>& P, const std::vector<float>& x) {
+  Course power(static_cast<std::size_t>(median_gap(P) / kEnvelopeBlock), 0.0);
+  for (const int onset : P)
+    for (std::size_t n = 0; n < power.size() * kEnvelopeBlock && onset + n < x.size(); ++n)
+      power[n / kEnvelopeBlock] += static_cast<double>(x[onset + n]) * x[onset + n];
+  return power;
+}
+
+/// What the fitted train predicts for the same blocks: its own click and the tails of those before.
+Course fitted_course(const ClickEnvelope& shape, double period, std::size_t blocks) {
+  constexpr int kTails = 6;
+  Course power(blocks, 0.0);
+  for (std::size_t n = 0; n < blocks * kEnvelopeBlock; ++n)
+    for (int k = 0; k <= kTails; ++k) {
+      const double a = envelope(shape, static_cast<double>(n) + k * period);
+      power[n / kEnvelopeBlock] += a * a;
+    }
+  return power;
+}
+
+/// dB, 0 at the mean of a flat course: curves of the same energy lie on one another.
+Course in_decibels(Course power) {
+  const double mean = std::accumulate(power.begin(), power.end(), 0.0) / static_cast<double>(power.size());
+  for (double& p : power) p = 10 * std::log10(std::max(p / std::max(mean, 1e-30), 1e-9));
+  return power;
+}
+
+std::vector<float> whitened(const std::vector<float>& x) {
+  const Eigen::ArrayXf y = whiten(x, lpc_whitener(x, kWhitenerOrder)).cast<float>();
+  return {y.data(), y.data() + y.size()};
+}
+
+}  // namespace
+
+std::string envelope_panel(const ChainResult& segment) {
+  const double period = median_gap(segment.clicks.P);
+  const Course heard = in_decibels(mean_course(segment.clicks.P, segment.drilling)),
+               white = in_decibels(mean_course(segment.clicks.P, whitened(segment.drilling))),
+               fit = in_decibels(fitted_course(segment.clicks.envelope, period, white.size()));
+  Course ms;
+  for (std::size_t b = 0; b < fit.size(); ++b)
+    ms.push_back(1e3 * (static_cast<double>(b) + 0.5) * kEnvelopeBlock / kAnalysisRate);
+  double top = 0, low = 0;
+  for (const Course* course : {&heard, &white, &fit}) {
+    top = std::max(top, *std::max_element(course->begin(), course->end()) + 2);
+    low = std::min(low, *std::min_element(course->begin(), course->end()) - 2);
+  }
+  Plot plot("Envelope", linear_axis("ms after the onset", 0, 1e3 * period / kAnalysisRate),
+            linear_axis("dB re the mean", std::max(low, top - kEnvelopeRangeDb), top), kThird);
+  plot.line(ms, heard, "second");
+  plot.line(ms, white, "first");
+  plot.line(ms, fit, "third");
+  plot.legend("drilling", "second");
+  plot.legend("whitened", "first");
+  plot.legend("fitted", "third");
+  return plot.svg();
+}
+
+std::string click_panels(const ClickBank& bank) {
+  double longest = 0, peak = 0;
+  std::vector<Outline> shapes;
+  for (const std::vector<float>& click : bank.clicks) {
+    shapes.push_back(outline(click.data(), click.size(), kClickColumns, 0, 1e3 / bank.sample_rate));
+    longest = std::max(longest, 1e3 * static_cast<double>(click.size()) / bank.sample_rate);
+    peak = std::max(peak, shapes.back().peak);
+  }
+  std::string html;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    Plot plot(fmt::format("Click {}", i + 1), linear_axis("ms", 0, longest, 3),
+              linear_axis("", -peak, peak, 2), kFifth);
+    plot.strokes(shapes[i].x, shapes[i].low, shapes[i].high, "first");
+    html += plot.svg();
+  }
+  return html;
+}
+
+}  // namespace rigsound::analysis
