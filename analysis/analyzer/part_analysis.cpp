@@ -13,6 +13,7 @@ namespace rigsound::analysis {
 namespace {
 
 constexpr double kLongestSegment_s = 4, kLongestPaperSegment_s = 2;
+constexpr double kDrillingShare = 0.2;  // of the segments of a part
 
 std::string title(const Part& part) {
   if (part.whole()) return part.recording.string();
@@ -43,6 +44,19 @@ std::vector<std::vector<float>> segments_of(const std::vector<float>& mono, doub
   return segments;
 }
 
+/// One segment in many may strike by chance: music does, and speech.
+void require_drilling(const std::string& title, const std::vector<ChainResult>& segments) {
+  const auto drilling = std::count_if(segments.begin(), segments.end(), has_drilling);
+  if (drilling == 0)
+    throw InputError(
+        title, fmt::format("no drilling found ({}), expected percussive drilling", segments.front().reason));
+  if (static_cast<double>(drilling) < kDrillingShare * static_cast<double>(segments.size()))
+    throw InputError(title,
+                     fmt::format("no drilling found but in {} of {} segments, expected a fifth of them: "
+                                 "label the stretch that drills",
+                                 drilling, segments.size()));
+}
+
 }  // namespace
 
 PartAnalysis analyse_part(const Part& part, const AnalyzerOptions& options) {
@@ -57,9 +71,7 @@ PartAnalysis analyse_part(const Part& part, const AnalyzerOptions& options) {
   chain.denoise = options.denoise;
   for (const std::vector<float>& segment : analysis.recorded)
     analysis.segments.push_back(run_chain(segment, chain));
-  if (std::none_of(analysis.segments.begin(), analysis.segments.end(), has_drilling))
-    throw InputError(title(part), fmt::format("no drilling found ({}), expected percussive drilling",
-                                              analysis.segments.front().reason));
+  require_drilling(title(part), analysis.segments);
   analysis.built = build_bank(analysis.segments, options.method, options.clicks, title(part));
   analysis.built.bank.name = part.bank;
   return analysis;

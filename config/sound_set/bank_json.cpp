@@ -16,7 +16,7 @@ struct Field {
 // One line a number of bank.json, in the order they are written. Times are samples, so a 192 kHz bank of
 // one strike a second still fits.
 constexpr Field kFields[] = {
-    {"sample_rate", &ClickBank::sample_rate, 4000, 768000},
+    {"sample_rate", &ClickBank::sample_rate, 8000, 192000},
     {"T0", &ClickBank::T_0, 16, 1e7},
     {"sigma_T", &ClickBank::sigma_T, 0, 1e7},
     {"r_T", &ClickBank::r_T, -0.9, 0.9},
@@ -27,9 +27,18 @@ constexpr Field kFields[] = {
     {"r_B", &ClickBank::r_B, -0.9, 0.9},
     {"N_a", &ClickBank::N_a, 0, 1e6},
     {"alpha_a", &ClickBank::alpha_a, -10, 10},
-    {"alpha_d", &ClickBank::alpha_d, 0, 10},
+    {"alpha_d", &ClickBank::alpha_d, 0, 1},
     {"gain_db", &ClickBank::gain_db, -60, 24},
 };
+
+/// What depends on another number of the file, as the engine demands it.
+void require_consistent(const JsonFile& json, const ClickBank& bank) {
+  json.number("T0", bank.sample_rate / 200, bank.sample_rate);
+  json.number("sigma_T", 0, 2 * bank.T_0);
+  json.number("sigma_B", 0, 4 * bank.B);
+  json.number("p_double", 0, 1 - bank.p_miss);
+  json.number("N_a", 0, bank.sample_rate);
+}
 
 }  // namespace
 
@@ -49,7 +58,8 @@ StoredBank read_bank_json(const std::filesystem::path& file) {
   json.require_format(kBankFormat);
   StoredBank stored;
   for (const Field& field : kFields) stored.bank.*field.member = json.number(field.key, field.min, field.max);
-  stored.bank.sample_rate = json.integer("sample_rate", 4000, 768000);  // a WAV file has no other rates
+  stored.bank.sample_rate = json.integer("sample_rate", 8000, 192000);  // a WAV file has no other rates
+  require_consistent(json, stored.bank);
   stored.provenance = {json.text("source_file"), json.text("source_sha256"), json.text("settings"),
                        json.text("tool_version")};
   return stored;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <memory>
 #include <string>
 
@@ -31,6 +32,21 @@ std::unique_ptr<Cues> cues_of(const Clicks& clicks) {
     start += static_cast<std::uint32_t>(click.size());
   }
   return cues;
+}
+
+/// libsndfile reads what there is of a file that was cut off and says nothing.
+void require_whole(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  unsigned char head[8] = {};
+  in.read(reinterpret_cast<char*>(head), sizeof head);
+  if (!in || std::string(head, head + 4) != "RIFF") return;
+  const std::uint64_t announced =
+      8 + (head[4] | head[5] << 8 | head[6] << 16 | static_cast<std::uint64_t>(head[7]) << 24);
+  std::error_code error;
+  const std::uint64_t there = std::filesystem::file_size(file, error);
+  if (there < announced)
+    throw InputError(file.string(), "is cut off after " + std::to_string(there) + " bytes, expected " +
+                                        std::to_string(announced));
 }
 
 std::vector<float> unit_click(std::vector<float> click, const std::string& file, std::size_t index) {
@@ -68,7 +84,10 @@ Clicks read_clicks_wav(const std::filesystem::path& file, int sample_rate) {
   const std::string name = file.string();
   SF_INFO format{};
   const Sound sound(sf_open(file.c_str(), SFM_READ, &format), sf_close);
-  if (!sound) throw InputError(name, std::string("cannot be read as a WAV file: ") + sf_strerror(nullptr));
+  if (!sound)
+    throw InputError(
+        name, std::string("cannot be read as a WAV file, expected the clicks: ") + sf_strerror(nullptr));
+  require_whole(file);
   if (format.channels != 1) throw InputError(name, std::to_string(format.channels) + " channels, expected 1");
   if (format.samplerate != sample_rate)
     throw InputError(name, std::to_string(format.samplerate) +
@@ -86,7 +105,8 @@ Clicks read_clicks_wav(const std::filesystem::path& file, int sample_rate) {
     const sf_count_t end =
         last ? format.frames : static_cast<sf_count_t>(cues->cue_points[i + 1].sample_offset);
     if (start < at || end <= start || end > format.frames)
-      throw InputError(name, "cue point " + std::to_string(i + 1) + " is out of order or behind the end");
+      throw InputError(name, "cue point " + std::to_string(i + 1) + " at sample " + std::to_string(start) +
+                                 " is out of order or behind the end, expected ascending starts of clicks");
     std::vector<float> click(static_cast<std::size_t>(end - start));
     sf_seek(sound.get(), start, SEEK_SET);
     if (sf_read_float(sound.get(), click.data(), end - start) != end - start)

@@ -17,6 +17,11 @@ using file::fail;
 using file::flush_to_disk;
 
 AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
+  // Renaming over a device such as /dev/null would remove it from the machine.
+  std::error_code none;
+  if (fs::exists(target_, none) && !fs::is_regular_file(target_, none))
+    fail(target_, "is no regular file and cannot be replaced",
+         fs::is_directory(target_, none) ? EISDIR : ENOTSUP);
   const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
   std::string name = (folder / ("." + target_.stem().string() + ".XXXXXX")).string();
   const std::string extension = target_.extension().string();

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "background_paper.hpp"
+#include "number_range.hpp"
 #include "rigsound/analysis/background.hpp"
 #include "rigsound/analysis/background_plot.hpp"
 #include "rigsound/analysis/chain.hpp"
@@ -173,11 +174,11 @@ void add_learning_options(CLI::App& verb, BackgroundOptions& o) {
   verb.add_option("--out", o.out, "sound set to write backgrounds/NAME into");
   auto* rpm = verb.add_option("--rpm", o.rpm, "r/min of each recording, within 3 %")
                   ->delimiter(',')
-                  ->check(CLI::Range(300.0, 4000.0));
+                  ->check(number_between(300.0, 4000.0));
   verb.add_option("--rpm-track", o.rpm_tracks, "CSV time_s,rpm of each recording")->excludes(rpm);
   verb.add_option("--load", o.load, "engine load of each recording, 0...1")
       ->delimiter(',')
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(number_between(0.0, 1.0));
   verb.add_option("--name", o.name, "name of the background (default: that of the first recording)");
   verb.add_option("--clicks", o.clicks,
                   "CSV of `rigsound clicks`: the blows in each recording, not listened to");
@@ -186,7 +187,7 @@ void add_learning_options(CLI::App& verb, BackgroundOptions& o) {
       ->default_str("48")
       ->check(CLI::Range(48, 1000));
   verb.add_option("--crossover", o.settings.f_x, "Hz, between the low and the high layer")
-      ->check(CLI::Range(200.0, 800.0));
+      ->check(number_between(200.0, 800.0));
   verb.add_option("--start", o.start, "recording of the engine being started, kept as it is");
   verb.add_option("--stop", o.stop, "recording of the engine dying away, kept as it is");
   verb.add_flag("--formula", o.formula, "the built-in diesel instead of recordings");
@@ -199,18 +200,20 @@ void add_resynthesis_options(CLI::App& verb, BackgroundOptions& o) {
       verb.add_option("--resynth", o.resynth, "WAV to write: the model played by the engine's own voice");
   verb.add_option("--seconds", o.seconds, "length of it")
       ->capture_default_str()
-      ->check(CLI::Range(0.1, 36000.0))
+      ->check(number_between(0.1, 36000.0))
       ->needs(resynth);
   auto* rpm =
       verb.add_option("--resynth-rpm", o.resynth_rpm, "its speed, r/min (default: the first recording's)")
-          ->check(CLI::Range(1.0, 4000.0))
+          ->check(number_between(1.0, 4000.0))
           ->needs(resynth);
   verb.add_option("--resynth-track", o.resynth_track, "CSV time_s,rpm: its course of speed")
       ->needs(resynth)
       ->excludes(rpm);
-  verb.add_option("--resynth-load", o.resynth_load, "its load")->check(CLI::Range(0.0, 1.0))->needs(resynth);
+  verb.add_option("--resynth-load", o.resynth_load, "its load")
+      ->check(number_between(0.0, 1.0))
+      ->needs(resynth);
   verb.add_option("--resynth-feed", o.resynth_feed, "feed pressure, share of the overfeed pressure")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(number_between(0.0, 1.0))
       ->needs(resynth);
   verb.add_option("--seed", o.seed, "the same seed gives the same samples")->capture_default_str();
 }

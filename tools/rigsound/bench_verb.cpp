@@ -9,6 +9,7 @@
 
 #include "bench/block_timer.hpp"
 #include "bench/formula_sounds.hpp"
+#include "number_range.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -111,7 +112,7 @@ void add_bench(CLI::App& app) {
   verb->add_flag("--json", o->json, "figures for programs");
   verb->add_option("--seconds", o->seconds, "sound to play per figure, s")
       ->capture_default_str()
-      ->check(CLI::Range(0.1, 3600.0));
+      ->check(number_between(0.1, 3600.0));
   verb->footer(
       "One boom that drills at 1800 r/min, blocks of 64 frames at 48 kHz, sounds made from formulas.\n"
       "Means are those of the quietest of eight rounds, worst blocks those of all.\n"

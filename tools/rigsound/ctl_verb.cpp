@@ -6,6 +6,7 @@
 
 #include "ctl/control_client.hpp"
 #include "ctl/status_view.hpp"
+#include "number_range.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -77,7 +78,7 @@ void add_ctl(CLI::App& app) {
       ->add_flag("--json", options->json, "one JSON object");
   add("watch", "the same, again and again", watch)
       ->add_option("--every", options->seconds, "seconds between two views")
-      ->check(CLI::Range(0.02, 3600.0))
+      ->check(number_between(0.02, 3600.0))
       ->capture_default_str();
   CLI::App* set_command = add("set", "changes a live control of the drill", set);
   set_command->add_option("KEY", options->key, "[BOOM.]CONTROL, see below; without BOOM all booms")

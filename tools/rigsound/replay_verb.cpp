@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "number_range.hpp"
 #include "rigsound/can/can_sender.hpp"
 #include "rigsound/input_error.hpp"
 #include "rigsound/log/candump.hpp"
@@ -91,7 +92,7 @@ void add_replay(CLI::App& app) {
   target->add_option("--modbus", options->modbus, "HOST:PORT of a server to write the values to");
   target->require_option(1);
   verb->add_option("--speed", options->speed, "2: twice as fast")
-      ->check(CLI::Range(0.001, 1000.0))
+      ->check(number_between(0.001, 1000.0))
       ->capture_default_str();
   verb->add_flag("--json", options->json, "figures as one JSON object");
   verb->callback([options] { options->can.empty() ? replay_modbus(*options) : replay_can(*options); });

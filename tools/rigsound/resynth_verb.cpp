@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "number_range.hpp"
 #include "rigsound/analysis/resynth.hpp"
 #include "rigsound/analysis/wave_file.hpp"
 #include "rigsound/config/bank_files.hpp"
@@ -43,18 +44,19 @@ void add_resynth(CLI::App& app) {
   DrillControls& c = o->controls;
   verb->add_option("bank", o->bank, "folder of the bank, SOUNDSET/banks/NAME")->required();
   verb->add_option("output", o->output, "WAV to write")->required();
-  verb->add_option("--seconds", o->seconds, "length")->required()->check(CLI::Range(0.01, 36000.0));
+  verb->add_option("--seconds", o->seconds, "length")->required()->check(number_between(0.01, 36000.0));
   verb->add_option("--seed", o->seed, "the same seed gives the same samples")->capture_default_str();
   verb->add_option("--rate", c.mean_frequency_hz, "clicks a second instead of the bank's own")
-      ->check(CLI::Range(1.0, 100.0));
-  verb->add_option("--gain-db", c.mean_amplitude_db, "louder or softer")->check(CLI::Range(-60.0, 24.0));
+      ->check(number_between(1.0, 100.0));
+  verb->add_option("--gain-db", c.mean_amplitude_db, "louder or softer")->check(number_between(-60.0, 24.0));
   verb->add_option("--jitter", c.deviation_time, "factor on the deviation in time")
-      ->check(CLI::Range(0.0, 4.0));
+      ->check(number_between(0.0, 4.0));
   verb->add_option("--amp-jitter", c.deviation_amplitude, "factor on the deviation in amplitude")
-      ->check(CLI::Range(0.0, 4.0));
-  verb->add_option("--attack", c.attack_factor, "factor on the attack time")->check(CLI::Range(0.1, 10.0));
+      ->check(number_between(0.0, 4.0));
+  verb->add_option("--attack", c.attack_factor, "factor on the attack time")
+      ->check(number_between(0.1, 10.0));
   verb->add_option("--decay", c.decay_factor, "factor on the decay rate: 2 is twice as short")
-      ->check(CLI::Range(0.25, 10.0));
+      ->check(number_between(0.25, 10.0));
   verb->add_option("--impacts", o->impacts, "also write the blows as CSV time_s,amplitude");
   verb->footer("Example: rigsound resynth soundset/banks/normal out.wav --seconds 8 --rate 42 --decay 1.5");
   verb->callback([o] { resynth(*o); });

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "number_range.hpp"
 #include "rigsound/analysis/simulate.hpp"
 #include "verbs.hpp"
 
@@ -54,12 +55,12 @@ void add_simulate(CLI::App& app) {
   verb->add_option("--seed", o->seed, "other seeds: other recordings of the same machine")
       ->capture_default_str();
   verb->add_option("--seconds", o->seconds, "length of a recording (default 18, of a DrillBench clip 2)")
-      ->check(CLI::Range(1.0, 3600.0));
+      ->check(number_between(1.0, 3600.0));
   auto* ids = verb->add_option("--ids", o->ids, "DrillBench clips by number instead, such as 100-131 or 3,7")
                   ->delimiter(',');
   verb->add_option("--snr", o->snr_db, "ratios of the mixed clips, dB")->delimiter(',')->needs(ids);
   verb->add_option("--rate-factor", o->rate_factor, "the same strikes, this much closer together")
-      ->check(CLI::Range(0.25, 4.0))
+      ->check(number_between(0.25, 4.0))
       ->needs(ids);
   verb->footer(
       "Example: rigsound simulate --out recordings --seed 7\n"

@@ -65,9 +65,17 @@ TEST_CASE("Audacity labels are read as they are written") {
   CHECK(labels[1].line == 4);
 }
 
+TEST_CASE("a byte order mark is no part of the first number") {
+  const LabelFile file(
+      "\xef\xbb\xbf"
+      "0.5\t2\tnormal\n");
+  CHECK(read_labels(file.path()).at(0).start_s == 0.5);
+}
+
 TEST_CASE("every mistake is told with its line and key") {
   CHECK(complains("0\t1\tnormal\n1\t2\tnormall\n", 2, "situation"));
   CHECK(complains("0\t1\t\n", 1, "situation"));
+  CHECK(complains("0\t1\tnormal rods=2 rods=3\n", 1, "rods"));
   CHECK(complains("0\t1\tnormal rods=0\n", 1, "rods"));
   CHECK(complains("0\t1\tnormal rods=2.5\n", 1, "rods"));
   CHECK(complains("0\t1\tnormal rod=2\n", 1, "rod"));

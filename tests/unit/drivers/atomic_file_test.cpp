@@ -1,6 +1,7 @@
 #include "rigsound/file/atomic_file.hpp"
 
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <fstream>
 #include <iterator>
@@ -34,6 +35,17 @@ TEST_CASE("a committed file holds the text and leaves no temporary") {
   write_file(folder.path / "a.txt", "two");
   CHECK(content(folder.path / "a.txt") == "two");
   CHECK(folder.files() == 1);
+}
+
+TEST_CASE("only a regular file is replaced: no device, no folder") {
+  Folder folder;
+  fs::create_directories(folder.path / "inside");
+  REQUIRE(::mkfifo((folder.path / "pipe").c_str(), 0600) == 0);
+  for (const char* name : {"inside", "pipe"})
+    CHECK_THROWS_WITH_AS(write_file(folder.path / name, "x"), doctest::Contains("no regular file"),
+                         DeviceError);
+  CHECK(fs::is_fifo(folder.path / "pipe"));
+  CHECK(folder.files() == 2);
 }
 
 TEST_CASE("a file that was not committed leaves the old one as it was") {

@@ -107,10 +107,27 @@ TEST_CASE("wrong numbers are refused with file, line and key") {
   refused("\"T0\"", "\"T_0\"", ":1: T0: is missing");
   refused("1600.0", "\"fast\"", ":4: T0: is string, expected a number from 16 to 10000000");
   refused("\"format\": 1", "\"format\": 7", ":2: format: version 7 is not known, expected 1");
+  refused("\"T0\": 1600.0", "\"T0\": 100",
+          ":4: T0: 100 is out of range, expected a number from 240 to 48000");
+  refused("\"sigma_T\": ", "\"sigma_T\": 99",
+          ":5: sigma_T: 9994.117647 is out of range, expected a number from 0 to 3200");
   refused("1600.0,", "1600.0", ":5: is not valid JSON here");
   replace(json, "48000", "44100");
   CHECK(complaint(load) == (set.path / "banks/x/clicks.wav").string() +
                                ": 48000 Hz, expected the sample_rate of bank.json, 44100 Hz");
+}
+
+TEST_CASE("a clicks.wav that was cut off is refused, however little is missing") {
+  TemporaryFolder set;
+  config::save_bank(set.path, example_bank("x"), kProvenance);
+  const fs::path wav = set.path / "banks/x/clicks.wav";
+  const auto size = fs::file_size(wav);
+  for (const auto left : {size - 4, size / 2}) {
+    fs::resize_file(wav, left);
+    CHECK(complaint([&] { config::load_bank(set.path / "banks/x"); }) ==
+          wav.string() + ": is cut off after " + std::to_string(left) + " bytes, expected " +
+              std::to_string(size));
+  }
 }
 
 TEST_CASE("a WAV without cue points, with NaN or with silence is refused") {
