@@ -19,7 +19,7 @@ RULES = {
     'config': (('engine', 'drivers'), ('toml++/', 'nlohmann/', 'sndfile', 'samplerate', 'fmt/')),
     'analysis': (('engine', 'drivers', 'config'),
                  ('Eigen/', 'unsupported/Eigen/', 'nlopt', 'sndfile', 'samplerate', 'nlohmann/', 'openssl/', 'fmt/',
-                  'math.h')),
+                  'math.h', 'png.h')),
     'tools': (('engine', 'drivers', 'config', 'analysis'),
               ('CLI/', 'fmt/', 'spdlog/', 'nlohmann/', 'openssl/', 'readerwriterqueue', 'systemd/', 'POSIX')),
 }
