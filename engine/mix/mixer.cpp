@@ -69,6 +69,7 @@ void Mixer::process(const Buses& buses, double gain_from, double gain_to, float*
     for (int e = 0; e < bands_; ++e) {
       dsp::Biquad& band = equaliser_[static_cast<std::size_t>(c * bands_ + e)];
       for (int n = 0; n < kChunk; ++n) x[c][n] = band.process(x[c][n]);
+      band.settle();
     }
   }
   limiter_.process(x);

@@ -110,6 +110,13 @@ void ToolLayer::crossfade(double* out) noexcept {
   fade_ = 0;
 }
 
+void ToolLayer::equalise(double* out) noexcept {
+  for (dsp::Biquad& band : equaliser_) {
+    for (int n = 0; n < kChunk; ++n) out[n] = band.process(out[n]);
+    band.settle();
+  }
+}
+
 void ToolLayer::process(const Impact* impacts, int count, const ToolControls& controls,
                         double* out) noexcept {
   follow_rods(controls.rods);
@@ -118,8 +125,7 @@ void ToolLayer::process(const Impact* impacts, int count, const ToolControls& co
   strike(impacts, count, controls.period);
   ring(steels_[ringing_], out);
   if (fade_ > 0) crossfade(out);
-  for (dsp::Biquad& band : equaliser_)
-    for (int n = 0; n < kChunk; ++n) out[n] = band.process(out[n]);
+  equalise(out);
 }
 
 }  // namespace rigsound::tool

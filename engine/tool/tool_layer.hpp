@@ -56,6 +56,7 @@ class ToolLayer {
   void strike(const Impact* impacts, int count, double period) noexcept;
   void ring(Steel& steel, double* out) noexcept;
   void crossfade(double* out) noexcept;
+  void equalise(double* out) noexcept;
 
   ToolModel model_;
   double sample_rate_;
