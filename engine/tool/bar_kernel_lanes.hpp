@@ -54,8 +54,7 @@ inline V entered(V v, V sample, Bits entry) { return (V)((Bits)v | ((Bits)sample
 /// the compiler must assume that a stored sample changes whatever is in memory.
 struct Glue {
   explicit Glue(const BarState& s, const BarDrive& drive)
-      : dc_d(load<V2>(s.dc_d)),
-        dc_r(load<V2>(s.dc_r)),
+      : dc_r(load<V2>(s.dc_r)),
         sh_0(load<V2>(s.sh_0)),
         sh_1(load<V2>(s.sh_1)),
         sh_q(load<V2>(s.sh_q)),
@@ -72,8 +71,8 @@ struct Glue {
 
   /// Closes both loops for sample `i`; v: what comes out of the cascades; line: where y goes.
   double close(int i, V2 v, double (*line)[2]) {
-    const V2 dv = dc_d * v, b = dv + dc_s;
-    dc_s = dc_r * b - dv;
+    const V2 b = v + dc_s;
+    dc_s = dc_r * b - v;
     const V2 w = sh_0 * b + sh_s;
     sh_s = sh_1 * b + sh_q * w;
     const V2 y = V2{x[i], x[i]} + V2{k_T[i], k_L[i]} * w;
@@ -90,7 +89,7 @@ struct Glue {
     s.at += frames;
   }
 
-  V2 dc_d, dc_r, sh_0, sh_1, sh_q, hp_b, hp_p;
+  V2 dc_r, sh_0, sh_1, sh_q, hp_b, hp_p;
   V2 dc_s, sh_s, hp_r;
   const double *x, *k_T, *k_L, *mix_T, *mix_L;
 };

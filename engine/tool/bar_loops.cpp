@@ -81,10 +81,10 @@ void BarLoops::place_paper_loops(const ToolDesign& design, LaneWidth width) noex
 
 void BarLoops::place_filters(const LoopDesign& loop, Family family, double sign) noexcept {
   const LoopFilters& f = loop.filters;
-  state_.dc_d[family] = sign / (1 + f.dc);
   state_.dc_r[family] = (1 - f.dc) / (1 + f.dc);
-  state_.sh_0[family] = (f.shelf + f.g) / (f.shelf + 1);
-  state_.sh_1[family] = (f.shelf - f.g) / (f.shelf + 1);
+  const double gain = sign * dc_gain(state_.dc_r[family]);
+  state_.sh_0[family] = gain * ((f.shelf + f.g) / (f.shelf + 1));
+  state_.sh_1[family] = gain * ((f.shelf - f.g) / (f.shelf + 1));
   state_.sh_q[family] = (1 - f.shelf) / (1 + f.shelf);
 }
 

@@ -36,10 +36,10 @@ double glue_energy(const BarState& s, int f) noexcept {
     const double a = (1 - pole) / (1 + pole);
     return sum * sum * (1 + a) * (1 + a) / a;
   };
-  const double corner = (1 - s.sh_q[f]) / (1 + s.sh_q[f]);
-  const double g = s.sh_0[f] * (1 + corner) - corner;
+  const double gain = dc_gain(s.dc_r[f]), corner = (1 - s.sh_q[f]) / (1 + s.sh_q[f]);
+  const double g = std::fabs(s.sh_0[f]) / gain * (1 + corner) - corner;
   const double shelf = g < 1 ? allpass_energy(s.sh_s[f], s.sh_q[f]) / (2 * (1 - g)) : 0;
-  return allpass_energy(s.dc_s[f], s.dc_r[f]) / 2 + shelf;
+  return allpass_energy(gain * s.dc_s[f], s.dc_r[f]) / 2 + shelf;
 }
 
 /// Bound on what the paper's cascade holds: each section stores (u - lambda y)^2 / (1 - lambda^2).

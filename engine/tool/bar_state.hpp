@@ -51,8 +51,9 @@ struct BarState {
   int line_end;                       ///< how far it may grow before make_room()
   int delay[2];                       ///< what is left of N beside the lanes, >= 1
 
-  // DC blocker b = dc_d v + dc_s, dc_s' = dc_r b - dc_d v; shelf w = sh_0 b + sh_s, sh_s' = sh_1 b + sh_q w.
-  alignas(32) double dc_d[2], dc_r[2], dc_s[2];
+  // DC blocker b = v + dc_s, dc_s' = dc_r b - v; shelf w = sh_0 b + sh_s, sh_s' = sh_1 b + sh_q w. The DC
+  // blocker's gain, dc_gain(), is in the shelf's coefficients.
+  alignas(32) double dc_r[2], dc_s[2];
   alignas(32) double sh_0[2], sh_1[2], sh_q[2], sh_s[2];
 
   // High-pass of each family: r = hp_b (y - y_1) + hp_p r_1.
@@ -79,6 +80,9 @@ struct BarDrive {
 constexpr int lane_of(int section, int base, int vectors, int width) noexcept {
   return width * (base + section % vectors) + section / vectors;
 }
+
+/// Gain of a DC blocker with this pole that makes it 1 at half the sample rate, and passive.
+constexpr double dc_gain(double dc_r) noexcept { return (1 + dc_r) / 2; }
 
 /// How far back in the line anything still looks, samples.
 int reach(const BarState& state) noexcept;

@@ -15,6 +15,7 @@ using dsp::kTwoPi;
 
 constexpr double kCentsPerNeper = 1200 / dsp::kLn2;
 constexpr double kHopelessCents = 8;
+constexpr double kBeside = 0.25;  // mode numbers between a mode and the points that hold its round trip
 constexpr int kFirstSteps = 60, kRefineSteps = 30, kRefinements = 4;
 
 bool reached(const LoopTask& task, const LoopError& error, double cents) {
@@ -23,7 +24,9 @@ bool reached(const LoopTask& task, const LoopError& error, double cents) {
 
 /// Prefers what is accepted over what is not, then the better tuned.
 double badness(const LoopTask& task, const LoopError& error) {
-  return error.cents / task.cents_limit + 10 * std::max(0.0, error.decay_share / task.decay_share - 1) +
+  constexpr double kRefused = 1e3;
+  return (reached(task, error, task.cents_limit) ? 0 : kRefused) + error.cents / task.cents_limit +
+         10 * std::max(0.0, error.decay_share / task.decay_share - 1) +
          10 * std::max(0.0, error.cents / task.cents_limit - 1);
 }
 
@@ -47,8 +50,9 @@ class Attempt {
     const int modes = law.count_below(mode_limit(task.sample_rate));
     shift_.resize(static_cast<std::size_t>(modes), 0.0);
     for (int k = 1; k <= modes; ++k) {
-      add_point(law, k - 0.5, task.between_weight);
+      add_point(law, k - kBeside, task.beside_weight);
       add_point(law, k, 1);
+      add_point(law, k + kBeside, task.beside_weight);
       ideal_.push_back(ideal_t60_samples(law, task.filters, k_ref(loop_), k, task.sample_rate));
     }
   }
@@ -78,23 +82,21 @@ class Attempt {
                        weight * kCentsPerNeper / (round_trip * omega)});
   }
 
-  /// The wanted lags with every mode moved by its shift; a point between two modes moves with both.
+  /// The wanted lags with every mode moved by its shift, and what lies beside it as well.
   std::vector<LagPoint> shifted_points() const {
     std::vector<LagPoint> points = points_;
-    for (std::size_t k = 0; k < shift_.size(); ++k) {
-      const double before = shift_[k > 0 ? k - 1 : 0];
-      // A mode that shall lie higher has not yet turned as far at the old frequency.
-      points[2 * k].lag -= 0.5 * (before + shift_[k]) * task_.between_weight / points[2 * k].weight;
-      points[2 * k + 1].lag -= shift_[k] / points[2 * k + 1].weight;
-    }
+    // A mode that shall lie higher has not yet turned as far at the old frequency.
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].lag -= shift_[i / 3] / mode_point(i / 3).weight;
     return points;
   }
+
+  const LagPoint& mode_point(std::size_t k) const { return points_[3 * k + 1]; }
 
   /// Measures the loop and lets the shifts make up for what is found.
   LoopError judge() {
     LoopError error;
     for (std::size_t k = 0; k < shift_.size(); ++k) {
-      const double omega = points_[2 * k + 1].omega;
+      const double omega = mode_point(k).omega;
       const Pole pole = closed_loop_pole(loop_, k_ref(loop_), omega);
       const double cents = kCentsPerNeper * dsp::log(pole.omega / omega);
       error.cents = std::max(error.cents, std::fabs(cents));
@@ -107,13 +109,15 @@ class Attempt {
   const LoopTask& task_;
   LoopDesign loop_;
   std::vector<double> shift_, ideal_;  ///< per mode: cents its target is moved; T60 it should have, samples
-  std::vector<LagPoint> points_;       ///< half-way below mode 1, mode 1, half-way below mode 2, ...
+  std::vector<LagPoint> points_;       ///< three a mode: below it, at it, above it
 };
 
-/// Mode number the law reaches at half the sample rate.
+/// Mode number at half the sample rate. Above the modes that are tuned the loop may do as it likes, so there
+/// it follows the law or goes on in a straight line, whichever takes it fewer turns: Rayleigh-Love's own
+/// would never reach the half of a high rate.
 double top_mode(const ModeLaw& law, double sample_rate) {
-  double low = 0.5, high = 1;
-  while (law.at(high) < sample_rate / 2) high *= 2;
+  const int modes = law.count_below(mode_limit(sample_rate));
+  double low = modes, high = modes + (sample_rate / 2 - law.at(modes)) * law.density(modes);
   for (int i = 0; i < 30; ++i) {
     const double middle = 0.5 * (low + high);
     (law.at(middle) < sample_rate / 2 ? low : high) = middle;
@@ -135,14 +139,14 @@ class Search {
   }
 
   DesignedLoop run() {
-    const int lowest = std::max(task_.lowest_order,
-                                half_turns_ - static_cast<int>(std::floor(task_.spare_delay * round_trip_)));
+    const int spare = static_cast<int>(std::floor(task_.spare_delay * round_trip_));
+    const int lowest = std::clamp(half_turns_ - spare, task_.lowest_order, task_.preferred_order - 2);
     for (int order = lowest; order <= highest_order_; ++order) {
       if (order > task_.preferred_order && reached(task_, best_.error, task_.cents_limit)) break;
       for (const int more : {0, 1, -1, -2})
         if (attempt(order, half_turns_ + more - order)) return best_;
     }
-    if (!reached(task_, best_.error, task_.cents_limit))
+    if (best_.error.cents > task_.cents_limit || best_.error.decay_share > 2 * task_.decay_share)
       throw std::invalid_argument("length_m: no loop of order " + std::to_string(highest_order_) +
                                   " tunes this bar, expected 0.3...1 m and 15...50 mm");
     return best_;

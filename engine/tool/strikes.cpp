@@ -19,6 +19,8 @@ double spread(double share, double uniform) noexcept { return 1 + share * (2 * u
 Strikes::Strikes(const Strike& strike, double sample_rate, std::uint64_t seed, int boom) noexcept
     : strike_(strike),
       width_(strike.width_s * sample_rate),
+      step_(dsp::kTwoPi / width_),
+      twice_cos_step_(2 * dsp::cos(step_)),
       random_(seed, kLayer, static_cast<std::uint64_t>(boom)) {}
 
 void Strikes::push(const Pulse& pulse) noexcept {
@@ -56,8 +58,15 @@ void Strikes::render(const Pulse& pulse, double* x) noexcept {
   const double down = std::floor(pulse.onset), up = down < pulse.onset ? down + 1 : down;
   const int first = static_cast<int>(std::max(0.0, up));
   if (pulse.onset > -1 && first < kChunk) touch(first, pulse.slope);
-  for (int n = first; n < kChunk && n < pulse.onset + width_; ++n)
-    x[n] += pulse.amplitude / 2 * (1 - dsp::cos(dsp::kTwoPi * (n - pulse.onset) / width_));
+  const int end = static_cast<int>(std::min<double>(kChunk, std::ceil(pulse.onset + width_)));
+  if (first >= end) return;
+  // cos(a + b) = 2 cos(a) cos(b) - cos(a - b), from one sample to the next.
+  double now = dsp::cos(step_ * (first - pulse.onset)), before = dsp::cos(step_ * (first - 1 - pulse.onset));
+  for (int n = first; n < end; ++n) {
+    x[n] += pulse.amplitude / 2 * (1 - now);
+    const double next = twice_cos_step_ * now - before;
+    before = now, now = next;
+  }
 }
 
 bool Strikes::process(const Impact* impacts, int count, double period, double* x) noexcept {

@@ -44,7 +44,8 @@ class Strikes {
   static constexpr int kMaxPulses = 96;  ///< of blows a whole chunk full, with every bounce
 
   Strike strike_;
-  double width_;  ///< samples
+  double width_;                  ///< samples
+  double step_, twice_cos_step_;  ///< of the pulse's cosine, rad/sample
   dsp::RandomField random_;
   std::array<Pulse, kMaxPulses> pulses_{};
   int count_ = 0;

@@ -33,7 +33,7 @@ LoopTask longitudinal_task(const ToolModel& model, double sample_rate) {
   task.filters = filters_of(model.longitudinal, sample_rate);
   task.k_min = task.k_max = model.longitudinal.k_max;
   task.decay_share = 0.10;
-  task.between_weight = 0.02;
+  task.beside_weight = 0.02;
   task.lowest_order = 1;
   task.preferred_order = 5;
   task.max_order = 2 * kMaxLongSections;

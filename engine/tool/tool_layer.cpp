@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kFade_s = 0.020;
 constexpr double kGainRamp_s = 0.010;          // a gain goes from 0 to 1 in this time
-constexpr double kReflectionSlope_per_s = 60;  // faster ramps of k are heard as noise above 12 kHz
+constexpr double kReflectionSlope_per_s = 30;  // faster ramps of k are heard as noise above 12 kHz
 constexpr double kMaxReflection = 0.9999;
 
 /// Reflections times a factor, kept below 1.

@@ -9,8 +9,9 @@ namespace rigsound::tests {
 
 struct ReferenceBar {
   Bar bar;
-  std::vector<double> rod;      ///< the rod theory the law follows: exact Timoshenko, or Rayleigh-Love
-  std::vector<double> elastic;  ///< three-dimensional elasticity (Rayleigh-Ritz, circumferential order 1 or 0)
+  std::vector<double> rod;  ///< the rod theory the law follows: exact Timoshenko, or Rayleigh-Love
+  std::vector<double>
+      elastic;  ///< three-dimensional elasticity (Rayleigh-Ritz, circumferential order 1 or 0)
 };
 
 /// Rounded to 0.01 Hz, which is 0.25 cent at 69 Hz.

@@ -12,8 +12,8 @@ std::vector<double> third_octaves_db(const std::vector<double>& sound, double ra
 /// Largest difference in any band between any two of `sounds`.
 double largest_difference_db(const std::vector<std::vector<double>>& levels);
 
-/// Peak of what lies above 12 kHz within `from_s`...`to_s` against the peak of the whole sound: a linear-phase
-/// high-pass of 513 taps under a Blackman-Harris window.
+/// Peak of what lies above 12 kHz within `from_s`...`to_s` against the peak of the whole sound: a
+/// linear-phase high-pass of 513 taps under a Blackman-Harris window.
 double residue_db(const std::vector<double>& sound, double rate, double from_s, double to_s);
 
 }  // namespace rigsound::tests

@@ -30,8 +30,8 @@ std::vector<double> sequential_response(const LoopDesign& loop, double k, int sa
                 loop.allpass.section[static_cast<std::size_t>(stages)].c);
   if (loop.allpass.first_orders) set_section(lanes, stages++, loop.allpass.a, 0);
   const LoopFilters& f = loop.filters;
-  const double D = (loop.allpass.first_orders ? -1 : 1) / (1 + f.dc), R = (1 - f.dc) / (1 + f.dc);
-  const double s0 = (f.shelf + f.g) / (f.shelf + 1), s1 = (f.shelf - f.g) / (f.shelf + 1),
+  const double R = (1 - f.dc) / (1 + f.dc), gain = (loop.allpass.first_orders ? -1 : 1) * dc_gain(R);
+  const double s0 = gain * ((f.shelf + f.g) / (f.shelf + 1)), s1 = gain * ((f.shelf - f.g) / (f.shelf + 1)),
                q = (1 - f.shelf) / (1 + f.shelf);
   double dc = 0, shelf = 0;
   std::vector<double> y;
@@ -43,8 +43,8 @@ std::vector<double> sequential_response(const LoopDesign& loop, double k, int sa
       lanes.x1[i] = m - lanes.x1[i];
       lanes.x2[i] = lanes.x2[i] + m;
     }
-    const double dv = D * v, b = dv + dc;
-    dc = R * b - dv;
+    const double b = v + dc;
+    dc = R * b - v;
     const double w = s0 * b + shelf;
     shelf = s1 * b + q * w;
     y.push_back((n == 0 ? 1.0 : 0.0) + k * w);

@@ -62,7 +62,8 @@ std::vector<double> struck(ToolLayer& layer, const Blows& blows,
   for (double start = 0; start < blows.seconds * blows.rate; start += kChunk) {
     Impact blow;
     int count = 0;
-    if (next < start + kChunk) blow = {next - start, 1, index++}, count = 1, next += blows.period_s * blows.rate;
+    if (next < start + kChunk)
+      blow = {next - start, 1, index++}, count = 1, next += blows.period_s * blows.rate;
     double out[kChunk];
     ToolControls c = controls(start / blows.rate);
     c.period = blows.period_s * blows.rate;
