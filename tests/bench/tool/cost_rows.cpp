@@ -27,7 +27,7 @@ namespace {
 using namespace tool;
 
 constexpr double kRate = 48000;
-constexpr int kRounds = 600, kChunksARound = 180, kChunksABlow = 60;
+constexpr int kRounds = 3000, kChunksARound = 180, kChunksABlow = 60;
 
 struct Contestant {
   std::string name;
