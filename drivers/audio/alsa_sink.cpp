@@ -52,7 +52,8 @@ void AlsaSink::write(const float* block, std::uint64_t number) noexcept {
   const std::size_t samples =
       static_cast<std::size_t>(options_.block) * static_cast<std::size_t>(options_.channels);
   convert(block, samples, number * samples, pcm_->granted().format, bytes_.data());
-  if (!play()) give_up();
+  // The room is waited for here, not before the next write: the next block begins with the state of then.
+  if (!play() || !make_room()) give_up();
 }
 
 void AlsaSink::take_offer() noexcept {

@@ -41,15 +41,17 @@ Responder::Outcome Responder::respond(modbus_t* context, const std::uint8_t* adu
     const int sent = modbus_reply_exception(context, adu, static_cast<unsigned>(*refusal));
     return sent < 0 ? Outcome::kNotSent : Outcome::kRefused;
   }
-  if (modbus_reply(context, adu, size, registers_.mapping()) < 0) return Outcome::kNotSent;
-  if (!change.values.empty()) {
-    change.unit = unit;
-    listener_.exchange(change);
-    std::vector<Reading> values;
-    readings(change, options_.routes, values);
-    listener_.readings(values);
-  }
-  return Outcome::kAnswered;
+  change.unit = unit;
+  if (!change.values.empty()) tell(change);
+  return modbus_reply(context, adu, size, registers_.mapping()) < 0 ? Outcome::kNotSent : Outcome::kAnswered;
+}
+
+// Before the answer leaves: who reads it may rely on the value being in force.
+void Responder::tell(const Exchange& change) {
+  listener_.exchange(change);
+  std::vector<Reading> values;
+  readings(change, options_.routes, values);
+  listener_.readings(values);
 }
 
 }  // namespace rigsound::modbus

@@ -25,6 +25,8 @@ class Responder {
                   const std::string& peer);
 
  private:
+  void tell(const Exchange& change);
+
   ModbusOptions options_;
   ModbusListener& listener_;
   Complaints complaints_;

@@ -29,7 +29,8 @@ void render(const config::Rig& rig, Engine engine, audio::StateSource& states, a
                                       rig.engine.block, samples};
   audio::WavSink sink(out, format, [&](const void* bytes, std::size_t size) { digest.update(bytes, size); });
   const auto start = std::chrono::steady_clock::now();
-  const std::uint64_t blocks = audio::run_blocks(engine, states, sink);
+  std::vector<float> block = audio::make_block(engine.options());
+  const std::uint64_t blocks = audio::run_blocks(engine, states, sink, block);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   sink.commit();
   const double length_s = static_cast<double>(blocks) * rig.engine.block / rig.engine.sample_rate;

@@ -93,7 +93,10 @@ class AudioThread::Timed : public audio::Sink {
 
 AudioThread::AudioThread(std::unique_ptr<Engine> engine, audio::Sink& sink,
                          TripleBuffer<MachineState>& states)
-    : engine_(std::move(engine)), sink_(sink), states_(states) {}
+    : engine_(std::move(engine)),
+      block_(audio::make_block(engine_->options())),
+      sink_(sink),
+      states_(states) {}
 
 AudioThread::~AudioThread() {
   stop();
@@ -126,7 +129,7 @@ void AudioThread::loop() {
     begin_run();
     States states(*this, figures_.run.load(std::memory_order_relaxed));
     Timed timed(*this, states);
-    end_run(audio::run_blocks(*engine_, states, timed));
+    end_run(audio::run_blocks(*engine_, states, timed, block_));
   }
 }
 

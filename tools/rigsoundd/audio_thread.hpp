@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "audio_figures.hpp"
 #include "rigsound/audio/block_loop.hpp"
@@ -45,6 +46,7 @@ class AudioThread {
   void tell(RunRecord record) noexcept;
 
   std::unique_ptr<Engine> engine_;
+  std::vector<float> block_;  // a new engine's blocks are of the same size
   audio::Sink& sink_;
   TripleBuffer<MachineState>& states_;
   RunQueue records_{kRunQueueLength};

@@ -101,6 +101,13 @@ class Life(unittest.TestCase):
             self.assertTrue(metrics.endswith('# EOF\n'))
             self.assertIn('rigsound_blocks_total', metrics)
             self.assertEqual(ctl('reload').stdout, 'reloaded\n')
+            with subprocess.Popen([PLACE.rigsound, 'ctl', '--socket', daemon.socket_path, 'watch', '--every', '0.05'],
+                                  stdout=subprocess.PIPE, text=True) as watch:
+                views = ''
+                while views.count('rigsoundd ') < 3:
+                    views += watch.stdout.readline()
+                watch.kill()
+            self.assertIn('peak', views)
         self.assertEqual(subprocess.run([PLACE.rigsound, 'ctl', '--socket', '/tmp/none', 'status'],
                                         capture_output=True).returncode, 3)
 

@@ -1,4 +1,6 @@
 """Modbus as others speak it: mbpoll, pymodbus, libmodbus, over TCP and over a serial line."""
+import datetime
+import os
 import random
 import socket
 import struct
@@ -28,13 +30,19 @@ unit = 17
 feed_pressure_bar = { table = "holding", address = 0, type = "uint16", scale = 0.1 }'''
 
 CLIENT = '''role = "client"
-address = "127.0.0.1:1602"
+{device}
 unit = 1
 poll_ms = 20
 [modbus.signals]
-feed_pressure_bar = { table = "holding", address = 0, type = "uint16", scale = 0.1 }
-engine_rpm = { table = "holding", address = 2, type = "float32", word_order = "CDAB" }
-percussion = { table = "coil", address = 1 }'''
+rod_count = {{ table = "holding", address = 0, type = "uint16", scale = 0.01 }}
+engine_rpm = {{ table = "holding", address = 2, type = "float32", word_order = "ABCD" }}
+engine_load = {{ table = "holding", address = 4, type = "float32", word_order = "CDAB" }}
+feed_pressure_bar = {{ table = "holding", address = 6, type = "float32", word_order = "BADC" }}
+percussion_rate_hz = {{ table = "input", address = 8, type = "float32", word_order = "DCBA" }}
+percussion = {{ table = "coil", address = 1 }}'''
+ON_TCP, ON_LINE = 'address = "127.0.0.1:1602"', 'transport = "rtu"\naddress = "/tmp/line_a"'
+IN_THE_PLC = {'rod_count': 5, 'engine_rpm': 1499.375, 'engine_load': 0.625, 'feed_pressure_bar': 87.25,
+              'percussion_rate_hz': 42.5, 'percussion': 1}
 
 
 def in_order(value, order):
@@ -84,7 +92,18 @@ class Server(unittest.TestCase):
         self.assertEqual(client.read_input_registers(0, 1, slave=1).exception_code, 2)
         self.daemon.wait_signal('engine_rpm', 1499.375)
         self.assertEqual(self.bus()['requests_refused'], 6)
+        for _ in range(200):
+            client.write_register(99, 1, slave=1)
+        self.assertEqual(self.bus()['requests_refused'], 206)
+        self.check_log_is_calm()
         client.close()
+
+    def check_log_is_calm(self):
+        """At most one complaint a second."""
+        times = [datetime.datetime.fromisoformat(line[:23]) for line in self.daemon.log().splitlines() if ' warn' in line]
+        self.assertGreaterEqual(len(times), 1)
+        pauses = [(later - earlier).total_seconds() for earlier, later in zip(times, times[1:])]
+        self.assertGreaterEqual(min(pauses, default=1), 0.99)
 
     def test_garbage_half_frames_and_floods_change_nothing(self):
         client = ModbusTcpClient('127.0.0.1', port=1502)
@@ -101,36 +120,76 @@ class Server(unittest.TestCase):
         self.assertEqual(self.daemon.signal('rod_count')['value'], 7)
         self.assertFalse(client.write_register(8, 9, slave=1).isError())
         self.daemon.wait_signal('rod_count', 9)
-        complaints = [line for line in self.daemon.log().splitlines() if 'warn' in line]
-        self.assertLess(len(complaints), 20)
+        self.check_log_is_calm()
         for connection in [half, *flood]:
             connection.close()
         client.close()
 
 
+class Stranger(unittest.TestCase):
+    def test_only_the_allowed_networks_come_in(self):
+        section = SERVER.replace('[modbus.signals]', 'allow = ["127.0.0.2/32", "10.0.0.0/8"]\n[modbus.signals]')
+        section = section.replace('127.0.0.1:1502', '0.0.0.0:1502')
+        rig = write_rig('/tmp/rig.toml', PLACE.project, PLACE.sounds, modbus=[section])
+        with Daemon(PLACE.rigsoundd, rig) as daemon:
+            def bus():
+                return daemon.bus('modbus 0.0.0.0:1502')
+            wait_for('the server', lambda: bus()['up'])
+            self.assertNotEqual(mbpoll('-m', 'tcp', '-p', 1502, '-0', '-t', '4', '-r', 8, '127.0.0.1', 5).returncode, 0)
+            wait_for('the stranger', lambda: bus()['connections_refused'] >= 1)
+            self.assertEqual((bus()['frames_seen'], daemon.signal('rod_count')['validity']), (0, 'never_seen'))
+            self.assertIn('not in an allowed network', daemon.log())
+            friend = ModbusTcpClient('127.0.0.1', port=1502, source_address=('127.0.0.2', 0))
+            self.assertTrue(friend.connect())
+            self.assertFalse(friend.write_register(8, 5, slave=1).isError())
+            daemon.wait_signal('rod_count', 5)
+            friend.close()
+
+
+class Line:
+    """A serial line: two pseudo-terminals, /tmp/line_a and /tmp/line_b."""
+
+    def __enter__(self):
+        self.socat = subprocess.Popen(['socat', 'pty,raw,echo=0,link=/tmp/line_a', 'pty,raw,echo=0,link=/tmp/line_b'])
+        wait_for('the line', lambda: os.path.exists('/tmp/line_b'))
+        return self
+
+    def cut(self):
+        self.socat.terminate()
+        self.socat.wait()
+
+    def __exit__(self, *_):
+        self.cut()
+
+
 class Serial(unittest.TestCase):
-    def test_a_line_between_two_pseudo_terminals(self):
-        line = subprocess.Popen(['socat', 'pty,raw,echo=0,link=/tmp/line_a', 'pty,raw,echo=0,link=/tmp/line_b'])
-        try:
-            rig = write_rig('/tmp/rig.toml', PLACE.project, PLACE.sounds, modbus=[RTU])
-            with Daemon(PLACE.rigsoundd, rig) as daemon:
-                wait_for('the line', lambda: daemon.bus('modbus /tmp/line_a')['up'])
-                serial = ('-m', 'rtu', '-a', 17, '-b', 19200, '-P', 'even', '-0', '-t', '4', '-r', 0, '/tmp/line_b')
-                self.assertEqual(mbpoll(*serial, 855).returncode, 0)
-                daemon.wait_signal('feed_pressure_bar', 85.5)
-                self.assertNotEqual(mbpoll(*serial, 3001).returncode, 0)
-                daemon.wait_signal('feed_pressure_bar', 85.5)
-                line.terminate()
-                line.wait()
-                daemon.wait_signal('feed_pressure_bar', validity='bus_down')
-        finally:
-            line.terminate()
-            line.wait()
+    WORDS = ('-m', 'rtu', '-a', 17, '-b', 19200, '-P', 'even', '-0', '-t', '4', '-r', 0, '/tmp/line_b')
+
+    def test_a_server_on_a_line_that_is_noisy_and_is_cut(self):
+        rig = write_rig('/tmp/rig.toml', PLACE.project, PLACE.sounds, modbus=[RTU])
+        with Line() as line, Daemon(PLACE.rigsoundd, rig) as daemon:
+            def bus():
+                return daemon.bus('modbus /tmp/line_a')
+            wait_for('the line', lambda: bus()['up'])
+            self.assertEqual(mbpoll(*self.WORDS, 855).returncode, 0)
+            daemon.wait_signal('feed_pressure_bar', 85.5)
+            self.assertNotEqual(mbpoll(*self.WORDS, 3001).returncode, 0)
+            self.assertEqual(bus()['requests_refused'], 1)
+            with open('/tmp/line_b', 'wb') as noise:
+                noise.write(b'\x11\x06\0\0\x03\x57\xff\xff')  # a write with a wrong checksum
+            wait_for('the noise', lambda: bus()['frames_bad'] == 1)
+            self.assertEqual(daemon.signal('feed_pressure_bar')['value'], 85.5)
+            line.cut()
+            daemon.wait_signal('feed_pressure_bar', validity='bus_down')
+            with Line():
+                wait_for('the line again', lambda: bus()['up'])
+                self.assertEqual(mbpoll(*self.WORDS, 900).returncode, 0)
+                daemon.wait_signal('feed_pressure_bar', 90)
 
 
 class Client(unittest.TestCase):
-    def start_plc(self):
-        plc = subprocess.Popen([PLACE.plc, '1602'], stdout=subprocess.PIPE, text=True)
+    def start_plc(self, where):
+        plc = subprocess.Popen([PLACE.plc, where], stdout=subprocess.PIPE, text=True)
         self.assertEqual(plc.stdout.readline().strip(), 'listening')
         return plc
 
@@ -139,16 +198,25 @@ class Client(unittest.TestCase):
         plc.wait()
         plc.stdout.close()
 
-    def test_the_device_dies_and_returns(self):
-        plc = self.start_plc()
-        rig = write_rig('/tmp/rig.toml', PLACE.project, PLACE.sounds, modbus=[CLIENT], safety='stale_after_ms = 0')
+    def check_death_and_return(self, device, where, name):
+        plc = self.start_plc(where)
+        rig = write_rig('/tmp/rig.toml', PLACE.project, PLACE.sounds, modbus=[CLIENT.format(device=device)],
+                        safety='stale_after_ms = 0')
         with Daemon(PLACE.rigsoundd, rig) as daemon:
-            daemon.wait_signal('feed_pressure_bar', 85.5)
-            daemon.wait_signal('engine_rpm', 499.375)
-            daemon.wait_signal('percussion', 1)
+            for signal, value in IN_THE_PLC.items():
+                daemon.wait_signal(signal, value)
             self.stop_plc(plc)
-            daemon.wait_signal('engine_rpm', validity='bus_down')
-            plc = self.start_plc()
-            daemon.wait_signal('engine_rpm', 499.375)
-            self.assertEqual(daemon.bus('modbus 127.0.0.1:1602')['losses'], 1)
+            for signal in IN_THE_PLC:
+                daemon.wait_signal(signal, validity='bus_down')
+            plc = self.start_plc(where)
+            for signal, value in IN_THE_PLC.items():
+                daemon.wait_signal(signal, value)
+            self.assertEqual(daemon.bus(name)['losses'], 1)
         self.stop_plc(plc)
+
+    def test_a_device_on_the_network_dies_and_returns(self):
+        self.check_death_and_return(ON_TCP, '1602', 'modbus 127.0.0.1:1602')
+
+    def test_a_device_on_a_line_dies_and_returns(self):
+        with Line():
+            self.check_death_and_return(ON_LINE, '/tmp/line_b', 'modbus /tmp/line_a')

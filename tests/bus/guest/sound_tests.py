@@ -1,13 +1,16 @@
 """Bit for bit through the card, no xruns, and how fast a frame is heard."""
 import os
 import shutil
+import signal
 import statistics
 import subprocess
+import time
 import unittest
 
+from frames import EEC1, Bus, engine_speed
 from place import PLACE
 from rigs import write_rig
-from running import Daemon
+from running import Daemon, wait_for
 from sound import CAPTURE, PLAYBACK, PeriodClock, Recording
 
 
@@ -25,8 +28,9 @@ def part_of_log(seconds):
 
 
 class Sound(unittest.TestCase):
-    def play_log(self, log, block, form, name):
+    def play_log(self, log, block, form):
         """canplayer -> vcan0 -> daemon -> loopback -> arecord; capture and session are left for the host."""
+        name = f'log_{block}_{form}'
         rig = write_rig(f'{PLACE.work}/{name}.toml', PLACE.project, PLACE.sounds, device=PLAYBACK, block=block, periods=3,
                         form=form, can=['vcan0'])
         session = f'/tmp/{name}.rigsession'
@@ -51,14 +55,45 @@ class Sound(unittest.TestCase):
         self.assertEqual(seen['frames_used'], seen['frames_seen'])
         self.assertLess(seen['frames_seen'], sent)  # the kernel's filter keeps ET1 and the like away
 
-    def test_the_whole_log_in_float(self):
-        self.play_log(PLACE.log, 64, 'float', 'shift_64_float')
+    def test_the_whole_log_at_64(self):
+        self.play_log(PLACE.log, 64, 'float')
 
-    def test_half_a_minute_in_s32(self):
-        self.play_log(part_of_log(30), 128, 's32', 'part_128_s32')
+    def test_half_a_minute_at_128(self):
+        self.play_log(part_of_log(30), 128, 's32')
 
-    def test_half_a_minute_in_s16(self):
-        self.play_log(part_of_log(30), 256, 's16', 'part_256_s16')
+    def test_half_a_minute_at_256(self):
+        self.play_log(part_of_log(30), 256, 's16')
+
+    def test_the_other_pairs_of_period_and_format(self):
+        for block, form in ((64, 's16'), (64, 's32'), (128, 's16'), (128, 'float'), (256, 's32'), (256, 'float')):
+            with self.subTest(block=block, form=form):
+                self.play_log(part_of_log(4), block, form)
+
+    def test_a_stopped_process_costs_silence_but_no_sample(self):
+        """A real xrun: the daemon may not run for a while. State, block clock and every sample survive it."""
+        rig = write_rig(f'{PLACE.work}/gaps_128_float.toml', PLACE.project, PLACE.sounds, device=PLAYBACK, block=128,
+                        form='float', can=['vcan0'], safety='stale_after_ms = 0')
+        session = '/tmp/gaps_128_float.rigsession'
+        with PeriodClock(PLACE.period_clock, 128), Recording('/tmp/gaps_128_float.raw', 'float', 128) as recording:
+            with Daemon(PLACE.rigsoundd, rig, '--session', session) as daemon:
+                daemon.wait_playing()
+                bus = Bus('vcan0')
+                for rpm in (900, 1500, 2100):
+                    bus.send(EEC1, engine_speed(rpm))
+                    daemon.wait_signal('engine_rpm', rpm)
+                    xruns, blocks = (daemon.status()['audio'][key] for key in ('xruns', 'blocks'))
+                    daemon.process.send_signal(signal.SIGSTOP)
+                    time.sleep(0.1)
+                    daemon.process.send_signal(signal.SIGCONT)
+                    wait_for('blocks again', lambda: daemon.status()['audio']['blocks'] > blocks + 100)
+                    audio = daemon.status()['audio']
+                    self.assertEqual((audio['xruns'], audio['losses']), (xruns + 1, 0))
+                    self.assertEqual(daemon.signal('engine_rpm')['value'], rpm)
+                bus.close()
+                self.assertEqual(daemon.terminate(), 0)
+            self.assertEqual(recording.stop(), '')
+        for file in ('/tmp/gaps_128_float.raw', session):
+            shutil.move(file, PLACE.work)
 
     def test_a_frame_is_heard_within_a_block_and_the_buffer(self):
         block, periods = 64, 3
@@ -72,9 +107,8 @@ class Sound(unittest.TestCase):
         limit = 1e3 * block * (1 + periods) / 48000
         print(f'FIGURE frame to sound: mean {statistics.mean(latencies):.2f} ms, worst {max(latencies):.2f} ms, '
               f'one block and the buffer are {limit:.2f} ms', flush=True)
-        one_capture_period = 1e3 * block / 48000  # the resolution of the measurement
         self.assertEqual(len(latencies), 10)
-        self.assertLessEqual(max(latencies), limit + one_capture_period)
+        self.assertLessEqual(max(latencies), limit)
 
     def test_the_listener_may_stop_and_come_back(self):
         rig = write_rig('/tmp/rig.toml', PLACE.project, PLACE.sounds, device=PLAYBACK, block=256, form='float',

@@ -1,4 +1,7 @@
-"""suite.py PROJECT BUILD WORK [TEST...]: everything that needs a real bus or a real card. Runs in the guest."""
+"""suite.py PROJECT BUILD WORK [TEST...]: everything that needs a real bus or a real card. Runs in the guest.
+
+Without TEST all but `soak_tests`, which takes too long for every day.
+"""
 import sys
 import unittest
 

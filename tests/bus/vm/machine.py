@@ -15,6 +15,9 @@ from vm.kernel import kernel_folder
 HERE = pathlib.Path(__file__).parent
 
 
+TIMED_OUT = 124
+
+
 class CannotStart(Exception):
     """The machine did not come as far as running the command."""
 
@@ -49,7 +52,7 @@ def qemu_command(kernel, initrd, work, console):
 
 
 def run(work, command, limit_s):
-    """Runs `command` (a list) in the guest, in the folder `work`; returns its exit status."""
+    """Runs `command` (a list) in the guest, in the folder `work`; returns its exit status, or TIMED_OUT."""
     work = pathlib.Path(work).resolve()
     control = work / '.vm'
     shutil.rmtree(control, ignore_errors=True)
@@ -64,6 +67,7 @@ def run(work, command, limit_s):
             subprocess.run(words, stdin=subprocess.DEVNULL, timeout=limit_s)
         except subprocess.TimeoutExpired:
             print(f'the machine did not end within {limit_s} s', file=sys.stderr)
+            return TIMED_OUT
         except (OSError, RuntimeError, subprocess.CalledProcessError) as error:
             raise CannotStart(f'{error} {getattr(error, "stderr", "") or ""}') from error
         status = control / 'status'

@@ -68,7 +68,8 @@ struct Setup {
     log::SessionStates states(session);
     Engine again(options, tools::formula_sounds());
     KeepingSink kept(static_cast<std::size_t>(options.block * options.channels));
-    audio::run_blocks(again, states, kept);
+    std::vector<float> block = audio::make_block(options);
+    audio::run_blocks(again, states, kept, block);
     return kept.runs().front();
   }
 

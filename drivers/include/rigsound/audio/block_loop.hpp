@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "rigsound/audio/sink.hpp"
 #include "rigsound/engine.hpp"
@@ -20,8 +21,11 @@ class StateSource {
   virtual const MachineState* state_of(std::uint64_t number) = 0;
 };
 
-/// Renders blocks 0, 1, 2, ... into the sink until the source ends. Returns how many. The engine must be
-/// new or reset. Thread: RT or OFF, as the source and the sink are.
-std::uint64_t run_blocks(Engine& engine, StateSource& source, Sink& sink);
+/// Room for one block of the engine. Thread: OFF.
+std::vector<float> make_block(const EngineOptions& options);
+
+/// Renders blocks 0, 1, 2, ... into the sink until the source ends, each through `block`. Returns how many.
+/// The engine must be new or reset. Thread: RT or OFF, as the source and the sink are.
+std::uint64_t run_blocks(Engine& engine, StateSource& source, Sink& sink, std::vector<float>& block);
 
 }  // namespace rigsound::audio

@@ -22,8 +22,9 @@ class FakeClock : public Clock {
 
 /// What the card heard and what it shall answer; outlives the streams opened on it.
 struct FakeCard {
-  std::vector<float> heard;  // every frame accepted, mono float
-  std::map<int, long> at;    // what the k-th write call answers: an error, or the frames it takes
+  std::vector<float> heard;     // every frame accepted, mono float
+  std::map<int, long> at;       // what the k-th write call answers: an error, or the frames it takes
+  std::map<int, int> waits_at;  // what the k-th wait answers instead of wait_answer
   int writes = 0, waits = 0, prepares = 0, resumes = 0, open_streams = 0;
   int wait_answer = 1, prepare_answer = 0, resume_answer = 0;
   bool present = true;
@@ -52,7 +53,10 @@ class FakePcm : public Pcm {
     card_.heard.insert(card_.heard.end(), samples, samples + count);
     return static_cast<long>(count);
   }
-  int wait(int) noexcept override { return ++card_.waits, card_.wait_answer; }
+  int wait(int) noexcept override {
+    const auto script = card_.waits_at.find(card_.waits++);
+    return script != card_.waits_at.end() ? script->second : card_.wait_answer;
+  }
   int prepare() noexcept override { return ++card_.prepares, card_.prepare_answer; }
   int resume() noexcept override { return ++card_.resumes, card_.resume_answer; }
 
