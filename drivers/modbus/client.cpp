@@ -29,6 +29,7 @@ void Client::connect() {
   try {
     context_ = make_context(options_);
     if (modbus_connect(context_.get()) == 0) {
+      modbus_flush(context_.get());  // a serial line may still hold answers to what was asked before
       answered_ = false;
       next_poll_ms_ = monotonic_ms();
       return;
@@ -117,7 +118,7 @@ void Client::doubt(const PollRequest& request) {
   listener_.readings(values);
 }
 
-// After a late or broken answer the stream may be out of step: only a new connection is sure.
+// After a late or broken answer the stream is out of step: only a new connection, after a pause, is sure.
 void Client::lose(int error) {
   if (error == EMBBADCRC || error == EMBBADDATA || error == EMBMDATA || error == EMBBADSLAVE)
     count_.bad_frames.fetch_add(1, std::memory_order_relaxed);

@@ -1,5 +1,8 @@
 #include "modbus/context.hpp"
 
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -13,10 +16,19 @@ namespace {
 
 constexpr std::int64_t kFirstPause_ms = 100, kLongestPause_ms = 5000, kRound_ms = 200;
 
+// It carries no parity bit, and from its second opening on tcsetattr() calls the wish for one EINVAL.
+bool is_pseudo_terminal(const std::string& device) {
+  constexpr unsigned kFirstMajor = 136, kLastMajor = 143;  // Unix98 slaves, admin-guide/devices.txt
+  struct stat s {};
+  if (::stat(device.c_str(), &s) != 0 || !S_ISCHR(s.st_mode)) return false;
+  return major(s.st_rdev) >= kFirstMajor && major(s.st_rdev) <= kLastMajor;
+}
+
 modbus_t* new_context(const ModbusOptions& o) {
   if (o.transport == Transport::kTcp)
     return modbus_new_tcp_pi(o.host.c_str(), std::to_string(o.port).c_str());
-  return modbus_new_rtu(o.address.c_str(), o.baud, o.parity, 8, o.stop_bits);
+  const char parity = is_pseudo_terminal(o.address) ? 'N' : o.parity;
+  return modbus_new_rtu(o.address.c_str(), o.baud, parity, 8, o.stop_bits);
 }
 
 }  // namespace

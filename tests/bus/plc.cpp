@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
   if (argc != 2) return std::fprintf(stderr, "usage: plc PORT|DEVICE\n"), 2;
   const std::string where = argv[1];
   const bool serial = where.front() == '/';
-  modbus_t* const device = serial ? modbus_new_rtu(where.c_str(), 19200, 'E', 8, 1)
+  modbus_t* const device = serial ? modbus_new_rtu(where.c_str(), 19200, 'N', 8, 1)
                                   : modbus_new_tcp("127.0.0.1", std::atoi(where.c_str()));
   modbus_set_slave(device, 1);
   int listening = serial ? modbus_connect(device) : modbus_tcp_listen(device, 1);
@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
   fill(*registers);
   std::puts("listening");
   std::fflush(stdout);
-  if (serial) return serve(device, registers), fail(argv[1]);
+  while (serial && errno != EIO && errno != ECONNRESET) serve(device, registers);  // until the line is gone
   while (modbus_tcp_accept(device, &listening) >= 0) {
     serve(device, registers);
     modbus_close(device);
