@@ -2,6 +2,7 @@
 // The diesel runs, the master gain goes from -60 dB to 0 dB. Prints one line a try, `latency_ms X`: from the
 // moment before send() to the moment the first louder sample is captured.
 #include <alsa/asoundlib.h>
+#include <sys/mman.h>
 
 #include <algorithm>
 #include <array>
@@ -121,6 +122,7 @@ double measure(Capture& capture, can::CanSender& bus) {
 
 int main(int argc, char** argv) {
   if (argc != 5) return std::fprintf(stderr, "usage: frame_to_sound PCM INTERFACE PERIOD TRIES\n"), 2;
+  ::mlockall(MCL_CURRENT | MCL_FUTURE);
   try {
     Capture capture(argv[1], static_cast<unsigned>(std::atoi(argv[3])));
     can::CanSender bus(argv[2]);

@@ -27,13 +27,21 @@ void status(const Options& o) {
   print(o.json ? answer.dump() + "\n" : status_text(answer));
 }
 
+/// Overwrites the view before instead of clearing it first, which would flicker.
+std::string in_place(const std::string& text) {
+  constexpr const char *kHome = "\033[H", *kClearLine = "\033[K\n", *kClearBelow = "\033[J";
+  std::string view = kHome;
+  for (const char c : text) view.append(c == '\n' ? kClearLine : std::string(1, c));
+  return view + kClearBelow;
+}
+
 // Ends with the daemon, or by Ctrl-C; on a terminal each view replaces the one before.
 void watch(const Options& o) {
   ControlClient client(o.socket);
   const bool terminal = ::isatty(STDOUT_FILENO) != 0;
   for (;;) {
     const std::string text = status_text(client.ask({{"command", "status"}}));
-    print((terminal ? "\033[H\033[2J" : "") + text);
+    print(terminal ? in_place(text) : text);
     std::fflush(stdout);
     std::this_thread::sleep_for(std::chrono::duration<double>(o.seconds));
   }

@@ -34,7 +34,8 @@ int take_boom(std::string& key, const std::vector<std::string>& booms) {
   key.erase(0, dot + 1);
   for (std::size_t b = 0; b < booms.size(); ++b)
     if (booms[b] == name) return static_cast<int>(b);
-  throw Refused(name + ": the rig has no boom of that name");
+  throw Refused(name +
+                fmt::format(": the rig has no boom of that name, expected {}", fmt::join(booms, ", ")));
 }
 
 Json set(const Json& request, Commanded& daemon) {

@@ -1,5 +1,6 @@
 #include "locked_memory.hpp"
 
+#include <pthread.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -8,16 +9,28 @@
 #include <cstring>
 
 namespace rigsound::daemon {
+namespace {
+
+constexpr std::size_t kThreadStack = 1 << 20;  // locked whole, once a thread: the usual 8 MiB would be waste
+
+void limit_stacks() {
+  pthread_attr_t attributes;
+  if (::pthread_attr_init(&attributes) != 0) return;
+  ::pthread_attr_setstacksize(&attributes, kThreadStack);
+  ::pthread_setattr_default_np(&attributes);
+  ::pthread_attr_destroy(&attributes);
+}
+
+}  // namespace
 
 // Under a limit, a lock on future pages would make a later allocation fail: worse than a page fault.
-// ONFAULT: the untouched parts of thread stacks need not be there.
 std::string lock_memory() {
   rlimit limit{};
   ::getrlimit(RLIMIT_MEMLOCK, &limit);
   if (limit.rlim_cur != RLIM_INFINITY && ::geteuid() != 0)
     return "not locked, RLIMIT_MEMLOCK is " + std::to_string(limit.rlim_cur / 1024) + " KiB";
-  if (::mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) != 0)
-    return std::string("not locked: ") + std::strerror(errno);
+  limit_stacks();
+  if (::mlockall(MCL_CURRENT | MCL_FUTURE) != 0) return std::string("not locked: ") + std::strerror(errno);
   return "locked";
 }
 

@@ -5,7 +5,7 @@
 
 namespace rigsound::daemon {
 
-/// Locks what is there and what will come, as it is touched. Returns "locked", or why not. Thread: CT, before
+/// Brings in and locks what is there, code included, and what will come. Returns "locked", or why not. Thread: CT, before
 /// other threads start.
 std::string lock_memory();
 

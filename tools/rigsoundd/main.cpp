@@ -43,9 +43,10 @@ int serve(const daemon::DaemonOptions& options) {
   const FileDescriptor signals = take_signals();
   try {
     daemon::start_log();
-    spdlog::info("memory {}", daemon::lock_memory());
+    const std::string memory = daemon::lock_memory();
     {
       daemon::Daemon daemon(options);
+      spdlog::info("memory {}", memory);
       daemon.run(signals.get());
     }
     daemon::stop_log();

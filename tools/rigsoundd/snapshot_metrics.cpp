@@ -8,8 +8,25 @@
 namespace rigsound::daemon {
 namespace {
 
-constexpr const char* kEventNames[audio::kCardEventCount] = {"xruns",        "suspends",      "bad_states",
-                                                             "short_writes", "interruptions", "card_losses"};
+struct CounterText {
+  const char* name;
+  const char* help;
+};
+constexpr CounterText kCardCounters[audio::kCardEventCount] = {
+    {"xruns", "Times the sound card ran out of samples."},
+    {"suspends", "Times the sound card was suspended."},
+    {"bad_states", "Times the sound card was in a state that takes no samples."},
+    {"short_writes", "Blocks the sound card took in pieces."},
+    {"interruptions", "Writes to the sound card that a signal interrupted."},
+    {"card_losses", "Times the sound card was given up."}};
+constexpr CounterText kBusCounters[] = {
+    {"frames_seen", "Frames or requests that arrived."},
+    {"frames_used", "Frames or requests that told something of the rig."},
+    {"frames_bad", "Error frames of the CAN controller, or bytes that are no Modbus."},
+    {"frames_dropped", "Frames the kernel dropped because they were not fetched in time."},
+    {"requests_refused", "Modbus requests answered with an exception."},
+    {"connections_refused", "Modbus connections over the limit or from a network not allowed."},
+    {"losses", "Times the bus or the device went away."}};
 constexpr const char* kStates[] = {"never_seen",  "valid",         "stale",       "bus_down",
                                    "error_value", "not_available", "out_of_range"};
 
@@ -52,7 +69,7 @@ class Page {
 void add_audio(Page& page, const Snapshot& s) {
   page.counter("blocks", s.blocks, "Blocks rendered.");
   for (std::size_t i = 0; i < s.card.events.size(); ++i)
-    page.counter(kEventNames[i], s.card.events[i], "Events of this kind on the sound card.");
+    page.counter(kCardCounters[i].name, s.card.events[i], kCardCounters[i].help);
   page.counter("deadline_misses", s.deadline_misses, "Blocks that took longer to compute than to play.");
   page.gauge("card_playing", s.card.playing ? 1 : 0, "1 while a sound card is open.");
   page.gauge("block_time_mean_seconds", s.block_mean_s, "Time to compute a block, mean.", "seconds");
@@ -68,10 +85,9 @@ void add_buses(Page& page, const Snapshot& s) {
   page.family("bus_up", "gauge", "1 while the bus delivers.");
   for (const FeedStatus& bus : s.buses)
     page.sample("bus_up", "bus=\"" + escaped(bus.name) + "\"", bus.up ? 1 : 0);
-  for (const char* name : {"frames_seen", "frames_used", "frames_bad", "frames_dropped", "requests_refused",
-                           "connections_refused", "losses"}) {
+  for (const auto& [name, help] : kBusCounters) {
     const std::string family = std::string("bus_") + name;
-    page.family(family.c_str(), "counter", "What came over the bus.");
+    page.family(family.c_str(), "counter", help);
     for (const FeedStatus& bus : s.buses)
       for (const auto& [counter, value] : bus.counters)
         if (counter == name) page.sample(family + "_total", "bus=\"" + escaped(bus.name) + "\"", value);

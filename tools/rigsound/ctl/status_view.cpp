@@ -43,16 +43,25 @@ std::string audio_lines(const Json& s) {
       m["limiter_db"].get<double>());
 }
 
+std::string words(std::string key) {
+  std::replace(key.begin(), key.end(), '_', ' ');
+  return key;
+}
+
 std::string bus_lines(const Json& s) {
   std::string text;
   for (const Json& bus : s["buses"]) {
-    fmt::format_to(std::back_inserter(text), "bus      {} {}", bus["name"].get<std::string>(),
+    fmt::format_to(std::back_inserter(text), "bus      {} {}\n", bus["name"].get<std::string>(),
                    bus["up"].get<bool>() ? "up" : "DOWN");
-    for (const auto& [key, value] : bus.items())
-      if (value.is_number())
-        fmt::format_to(std::back_inserter(text), ", {} {}", value.get<std::uint64_t>(), key);
     const std::string problem = bus["problem"];
-    text += problem.empty() ? "\n" : "\n         " + problem + "\n";
+    if (!problem.empty()) text += "         " + problem + "\n";
+    const char* separator = "         ";
+    for (const auto& [key, value] : bus.items()) {
+      if (!value.is_number()) continue;
+      fmt::format_to(std::back_inserter(text), "{}{} {}", separator, value.get<std::uint64_t>(), words(key));
+      separator = ", ";
+    }
+    text += "\n";
   }
   return text;
 }
@@ -73,7 +82,7 @@ std::string session_line(const Json& s) {
   const std::string file = session["file"], problem = session["problem"];
   if (file.empty()) return {};
   if (!problem.empty()) return "session  STOPPED: " + problem + "\n";
-  return fmt::format("session  {}, {:.1f} MB\n", file, session["bytes"].get<double>() * 1e-6);
+  return fmt::format("session  {}, {:.1f} kB\n", file, session["bytes"].get<double>() * 1e-3);
 }
 
 }  // namespace
