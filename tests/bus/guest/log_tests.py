@@ -1,5 +1,6 @@
 """record and replay: what was on a bus comes back as it was."""
 import json
+import os
 import signal
 import subprocess
 import unittest
@@ -51,6 +52,14 @@ class Can(unittest.TestCase):
               'at worst', flush=True)
         fast = replay('/tmp/first.log', '--can', 'vcan0', '--speed', '10')
         self.assertEqual(fast['sent'], len(sent))
+
+    def test_an_interface_that_is_not_there(self):
+        rig = write_rig('/tmp/rig.toml', PLACE.project, PLACE.sounds, can=['vcan7'])
+        for words in (['record', rig, '--out', '/tmp/none.log'], ['replay', PLACE.log, '--can', 'vcan7']):
+            ended = subprocess.run([PLACE.rigsound, *words], capture_output=True, text=True)
+            self.assertEqual((ended.returncode, ended.stderr.count('\n')), (3, 1))
+            self.assertIn('vcan7 does not exist' if words[0] == 'record' else 'vcan7: does not exist', ended.stderr)
+        self.assertFalse(os.path.exists('/tmp/none.log'))
 
 
 class Modbus(unittest.TestCase):

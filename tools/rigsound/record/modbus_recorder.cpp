@@ -3,21 +3,22 @@
 #include <chrono>
 #include <cstdio>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
 #include "record/bus_recorders.hpp"
+#include "record/opening.hpp"
 #include "rigsound/log/modbus_capture_writer.hpp"
 #include "rigsound/modbus/modbus_link.hpp"
 
 namespace rigsound::tools {
 namespace {
 
-/// The file all links write to.
+/// The file all links write to, once all of them are open.
 struct SharedCapture {
-  explicit SharedCapture(const std::filesystem::path& file) : writer(file) {}
   std::mutex mutex;
-  log::ModbusCaptureWriter writer;
+  std::optional<log::ModbusCaptureWriter> writer;
   std::uint64_t entries = 0;
 };
 
@@ -38,19 +39,28 @@ class Link : private modbus::ModbusListener {
     thread_.join();
   }
 
+  void require_open() { opening_.require(); }
+
  private:
   void readings(const std::vector<modbus::Reading>&) override {}
   void exchange(const modbus::Exchange& exchange) override {
     const std::lock_guard<std::mutex> lock(capture_.mutex);
-    capture_.writer.write(realtime_ns(), exchange);
+    if (!capture_.writer) return;
+    capture_.writer->write(realtime_ns(), exchange);
     ++capture_.entries;
   }
-  void up() override { fmt::print(stderr, "{}: recording\n", name_); }
+  void up() override {
+    fmt::print(stderr, "{}: recording\n", name_);
+    opening_.worked();
+  }
   void down(const std::string& why) override { fmt::print(stderr, "{}: down: {}\n", name_, why); }
-  void notice(const std::string& text) override { fmt::print(stderr, "{}\n", text); }
+  void notice(const std::string& text) override {
+    if (!opening_.failed(text)) fmt::print(stderr, "{}\n", text);
+  }
 
   std::string name_;
   SharedCapture& capture_;
+  Opening opening_;
   std::unique_ptr<modbus::ModbusLink> link_;
   std::atomic<bool> stop_{false};
   std::thread thread_;
@@ -58,13 +68,16 @@ class Link : private modbus::ModbusListener {
 
 class ModbusRecorder : public BusRecorder {
  public:
-  ModbusRecorder(const config::Rig& rig, const std::filesystem::path& file) : capture_(file) {
+  ModbusRecorder(const config::Rig& rig, const std::filesystem::path& file) {
+    const std::lock_guard<std::mutex> lock(capture_.mutex);
     for (const modbus::ModbusOptions& link : rig.modbus)
       links_.push_back(std::make_unique<Link>(link, capture_));
+    for (const auto& link : links_) link->require_open();
+    capture_.writer.emplace(file);
   }
   void flush() override {
     const std::lock_guard<std::mutex> lock(capture_.mutex);
-    capture_.writer.flush();
+    capture_.writer->flush();
   }
   std::uint64_t entries() const override {
     const std::lock_guard<std::mutex> lock(capture_.mutex);
