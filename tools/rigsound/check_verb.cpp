@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "check/modbus_probe.hpp"
 #include "rigsound/config/rig.hpp"
 #include "rigsound/modbus/exchange.hpp"
 #include "verbs.hpp"
@@ -59,8 +60,13 @@ void warn_of_missing_signals(const config::Rig& rig) {
                  info(needed).name, info(needed).absent);
 }
 
-void check(const std::string& file) {
-  config::Rig rig = config::load_rig(file);
+struct Options {
+  std::string rig;
+  bool probe = false;
+};
+
+void check(const Options& options) {
+  config::Rig rig = config::load_rig(options.rig);
   SoundSet sounds = config::load_sounds(rig);
   std::size_t clicks = 0;
   for (const ClickBank& bank : sounds.banks) clicks += bank.clicks.size();
@@ -79,15 +85,18 @@ void check(const std::string& file) {
   print_can(rig);
   print_modbus(rig);
   warn_of_missing_signals(rig);
+  if (options.probe) probe_modbus(rig);
 }
 
 }  // namespace
 
 void add_check(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("check", "Validates everything the daemon would load.");
-  auto rig = std::make_shared<std::string>();
-  verb->add_option("RIG.toml", *rig, "the rig")->required();
-  verb->callback([rig] { check(*rig); });
+  auto options = std::make_shared<Options>();
+  verb->add_option("RIG.toml", options->rig, "the rig")->required();
+  verb->add_flag("--probe", options->probe,
+                 "also read every Modbus register once: live values, 32 bit ones in all four word orders");
+  verb->callback([options] { check(*options); });
   verb->footer(
       "Prints `ok` and a summary, or one line FILE:LINE: KEY: what is wrong, what was expected (exit code "
       "1).\n\n"

@@ -70,7 +70,8 @@ void add_record(CLI::App& app) {
       "agreed\n"
       "between client and server, each link playing the part the rig gives it. A rig with both writes the "
       "Modbus\n"
-      "part beside OUT, as OUT with the ending .pcap. A bus that cannot be opened at the start ends it with 3; "
+      "part beside OUT, as OUT with the ending .pcap. A bus that cannot be opened at the start ends it with "
+      "3; "
       "one\n"
       "that is lost later is waited for.\n\n"
       "Example: rigsound record config/rigs/demo.toml --out shift.log");

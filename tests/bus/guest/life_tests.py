@@ -5,6 +5,7 @@ import shutil
 import signal
 import socket
 import subprocess
+import time
 import unittest
 
 from frames import EEC1, Bus, engine_speed
@@ -25,6 +26,13 @@ def run_diesel():
     bus = Bus('vcan0')
     bus.send(EEC1, engine_speed(1500))
     bus.close()
+
+
+def change_speed(bus):
+    """A hundred changes, each in a block of its own, or nearly so."""
+    for rpm in range(600, 2600, 20):
+        bus.send(EEC1, engine_speed(rpm))
+        time.sleep(0.006)
 
 
 def driver(action):
@@ -167,14 +175,13 @@ class Sessions(unittest.TestCase):
 
     def test_a_full_disk_stops_the_recording_and_nothing_else(self):
         os.makedirs('/tmp/small', exist_ok=True)
-        subprocess.run(['mount', '-t', 'tmpfs', '-o', 'size=16k', 'tmpfs', '/tmp/small'], check=True)
+        subprocess.run(['mount', '-t', 'tmpfs', '-o', 'size=4k', 'tmpfs', '/tmp/small'], check=True)
         try:
             with Daemon(PLACE.rigsoundd, rig(), '--session', '/tmp/small/run.rigsession') as daemon:
                 wait_for('vcan0', lambda: daemon.bus('can vcan0')['up'])
                 bus = Bus('vcan0')
                 def full():
-                    for rpm in range(600, 3000, 4):
-                        bus.send(EEC1, engine_speed(rpm))
+                    change_speed(bus)
                     return daemon.status()['session']['problem']
                 self.assertIn('No space left', wait_for('the disk to be full', full, 60))
                 bus.close()
@@ -189,8 +196,7 @@ class Sessions(unittest.TestCase):
             wait_for('vcan0', lambda: daemon.bus('can vcan0')['up'])
             bus = Bus('vcan0')
             def turned():
-                for rpm in range(600, 3000, 4):
-                    bus.send(EEC1, engine_speed(rpm))
+                change_speed(bus)
                 return os.path.exists('/tmp/short.2.rigsession')
             wait_for('the next session', turned, 60)
             bus.close()

@@ -9,7 +9,8 @@
 
 namespace rigsound::tools {
 
-/// The first word of a bus, from its own thread: it works, or why it does not. Later words are no matter of this.
+/// The first word of a bus, from its own thread: it works, or why it does not. Later words are no matter of
+/// this.
 class Opening {
  public:
   void worked() {
