@@ -1,5 +1,6 @@
 #include "rig/network.hpp"
 #include "rig/sections.hpp"
+#include "rigsound/socket/host_port.hpp"
 
 namespace rigsound::config {
 namespace {

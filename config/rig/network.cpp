@@ -84,27 +84,4 @@ std::optional<modbus::Network> parse_network(std::string_view text) {
   return network;
 }
 
-std::optional<HostPort> parse_host_port(std::string_view text, int default_port) {
-  HostPort result;
-  std::string_view rest;
-  if (!text.empty() && text.front() == '[') {
-    const std::size_t end = text.find(']');
-    if (end == std::string_view::npos) return std::nullopt;
-    result.host = text.substr(1, end - 1);
-    rest = text.substr(end + 1);
-  } else {
-    const std::size_t colon = std::min(text.rfind(':'), text.size());
-    result.host = text.substr(0, colon);
-    rest = text.substr(colon);
-  }
-  result.port = default_port;
-  if (!rest.empty()) {
-    const auto port = rest.front() == ':' ? whole_number(rest.substr(1), 65535) : std::nullopt;
-    if (!port || *port == 0) return std::nullopt;
-    result.port = *port;
-  }
-  if (result.host.empty()) return std::nullopt;
-  return result;
-}
-
 }  // namespace rigsound::config

@@ -1,8 +1,7 @@
-// Networks and addresses as people write them.
+// Networks as people write them.
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include "rigsound/modbus/modbus_options.hpp"
@@ -11,12 +10,5 @@ namespace rigsound::config {
 
 /// "127.0.0.0/8", "::1/128", "192.168.1.5"; nothing for anything else, or when host bits are set.
 std::optional<modbus::Network> parse_network(std::string_view text);
-
-struct HostPort {
-  std::string host;
-  int port = 0;
-};
-/// "HOST:PORT", "[V6]:PORT", "HOST" with `default_port`.
-std::optional<HostPort> parse_host_port(std::string_view text, int default_port);
 
 }  // namespace rigsound::config

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "rig/sections.hpp"
+#include "rigsound/socket/host_port.hpp"
 #include "sound_set/names.hpp"
 
 namespace rigsound::config {
@@ -100,8 +101,10 @@ ControlOptions read_control(TomlTable table) {
   ControlOptions control;
   control.socket = table.text("socket", control.socket);
   control.metrics = table.text("metrics", control.metrics);
-  if (!control.metrics.empty() && control.metrics.rfind(':') == std::string::npos)
-    table.fail("metrics", "\"" + control.metrics + "\" has no port, expected HOST:PORT or \"\"");
+  const auto where = parse_host_port(control.metrics, 0);
+  if (!control.metrics.empty() && (!where || where->port == 0))
+    table.fail("metrics",
+               "\"" + control.metrics + "\" is no address with a port, expected HOST:PORT or \"\"");
   table.refuse_unknown();
   return control;
 }

@@ -4,19 +4,21 @@
 
 #include "modbus/context.hpp"
 #include "rigsound/device_error.hpp"
+#include "rigsound/socket/host_port.hpp"
 
 namespace rigsound::modbus {
 namespace {
 
+constexpr int kDefaultPort = 502;
+
 ModbusOptions options_of(const std::string& address) {
+  const auto where = parse_host_port(address, kDefaultPort);
+  if (!where) throw DeviceError("modbus " + address + ": is no address, expected HOST:PORT or [V6]:PORT");
   ModbusOptions options;
   options.address = address;
   options.timeout_s = 2;
-  const std::size_t colon = address.rfind(':');
-  options.host = address.substr(0, colon);
-  if (options.host.size() > 1 && options.host.front() == '[')
-    options.host = options.host.substr(1, options.host.size() - 2);
-  options.port = colon == std::string::npos ? 502 : std::atoi(address.c_str() + colon + 1);
+  options.host = where->host;
+  options.port = where->port;
   return options;
 }
 

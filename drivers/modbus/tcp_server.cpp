@@ -9,6 +9,7 @@
 
 #include "modbus/tcp_socket.hpp"
 #include "rigsound/device_error.hpp"
+#include "rigsound/socket/tcp_listener.hpp"
 
 namespace rigsound::modbus {
 namespace {
@@ -52,7 +53,7 @@ void TcpServer::step() {
 
 void TcpServer::listen() {
   try {
-    listening_ = listen_on(options_.host, options_.port);
+    listening_ = listen_tcp({options_.host, options_.port});
     last_problem_.clear();
     listener_.up();
   } catch (const DeviceError& error) {

@@ -1,16 +1,10 @@
 #include "modbus/tcp_socket.hpp"
 
 #include <arpa/inet.h>
-#include <netdb.h>
 #include <netinet/in.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
-#include <memory>
-
-#include "rigsound/device_error.hpp"
 
 namespace rigsound::modbus {
 namespace {
@@ -33,26 +27,6 @@ bool is_loopback(const std::vector<std::uint8_t>& address) {
 }
 
 }  // namespace
-
-FileDescriptor listen_on(const std::string& host, int port) {
-  const auto fail = [&](const std::string& what) -> DeviceError {
-    return DeviceError("modbus server " + host + ":" + std::to_string(port) + ": " + what);
-  };
-  addrinfo hints{};
-  hints.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
-  hints.ai_socktype = SOCK_STREAM;
-  addrinfo* found = nullptr;
-  const int error = ::getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found);
-  if (error != 0) throw fail(::gai_strerror(error));
-  const std::unique_ptr<addrinfo, void (*)(addrinfo*)> owner(found, ::freeaddrinfo);
-  FileDescriptor fd(::socket(found->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
-  const int on = 1;
-  if (fd) ::setsockopt(fd.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
-  const bool listening =
-      fd && ::bind(fd.get(), found->ai_addr, found->ai_addrlen) == 0 && ::listen(fd.get(), SOMAXCONN) == 0;
-  if (!listening) throw fail(std::string("cannot listen: ") + std::strerror(errno));
-  return fd;
-}
 
 std::vector<std::uint8_t> address_bytes(const sockaddr_storage& peer) {
   if (peer.ss_family == AF_INET) {

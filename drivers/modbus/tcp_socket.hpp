@@ -1,4 +1,4 @@
-// Sockets of the server: who calls, who may, where to listen.
+// Who calls the server, and who may.
 #pragma once
 
 #include <sys/socket.h>
@@ -6,13 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "rigsound/file/file_descriptor.hpp"
 #include "rigsound/modbus/modbus_options.hpp"
 
 namespace rigsound::modbus {
-
-/// Non-blocking, bound, listening. Throws DeviceError.
-FileDescriptor listen_on(const std::string& host, int port);
 
 /// The address in network byte order, 4 or 16 bytes; an IPv4 address in IPv6 clothes counts as IPv4.
 std::vector<std::uint8_t> address_bytes(const sockaddr_storage& peer);

@@ -7,10 +7,12 @@
 
 #include <csignal>
 
+#include "control_socket.hpp"
 #include "log_setup.hpp"
 #include "monotonic_time.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/input_error.hpp"
+#include "rigsound/socket/tcp_listener.hpp"
 
 namespace rigsound::daemon {
 namespace {
@@ -70,7 +72,7 @@ void Daemon::open_sockets() {
         LineServer::Protocol{"\n", false, [this](const std::string& r) { return answer(r, *this); }});
   if (control.metrics.empty()) return;
   servers_.emplace_back(
-      listen_tcp(control.metrics),
+      listen_tcp(*parse_host_port(control.metrics, 0)),
       LineServer::Protocol{"\r\n\r\n", true, [this](const std::string&) {
                              const std::string page = to_openmetrics(snapshot());
                              return "HTTP/1.1 200 OK\r\nContent-Type: application/openmetrics-text; "

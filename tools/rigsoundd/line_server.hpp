@@ -40,11 +40,4 @@ class LineServer {
   std::vector<Client> clients_;
 };
 
-/// A UNIX socket that only the user and the group may use; a dead one left at `path` is replaced. Removed
-/// by unlink when the daemon ends. Errors: DeviceError, also when another daemon listens there.
-FileDescriptor listen_unix(const std::string& path);
-
-/// Errors: DeviceError. `address`: HOST:PORT.
-FileDescriptor listen_tcp(const std::string& address);
-
 }  // namespace rigsound::daemon

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 
+#include "control_socket.hpp"
 #include "rigsound/device_error.hpp"
 
 using namespace rigsound;

@@ -2,12 +2,9 @@
 
 #include <chrono>
 #include <cstdio>
-#include <mutex>
-#include <optional>
 #include <thread>
-#include <vector>
 
-#include "record/bus_recorders.hpp"
+#include "record/file_recorder.hpp"
 #include "record/opening.hpp"
 #include "rigsound/log/modbus_capture_writer.hpp"
 #include "rigsound/modbus/modbus_link.hpp"
@@ -15,12 +12,7 @@
 namespace rigsound::tools {
 namespace {
 
-/// The file all links write to, once all of them are open.
-struct SharedCapture {
-  std::mutex mutex;
-  std::optional<log::ModbusCaptureWriter> writer;
-  std::uint64_t entries = 0;
-};
+using CaptureFile = SharedFile<log::ModbusCaptureWriter>;
 
 std::int64_t realtime_ns() {
   using namespace std::chrono;
@@ -29,9 +21,9 @@ std::int64_t realtime_ns() {
 
 class Link : private modbus::ModbusListener {
  public:
-  Link(const modbus::ModbusOptions& options, SharedCapture& capture)
+  Link(const modbus::ModbusOptions& options, CaptureFile& file)
       : name_(options.address),
-        capture_(capture),
+        file_(file),
         link_(modbus::make_modbus_link(options, *this)),
         thread_([this] { link_->run(stop_); }) {}
   ~Link() override {
@@ -44,10 +36,10 @@ class Link : private modbus::ModbusListener {
  private:
   void readings(const std::vector<modbus::Reading>&) override {}
   void exchange(const modbus::Exchange& exchange) override {
-    const std::lock_guard<std::mutex> lock(capture_.mutex);
-    if (!capture_.writer) return;
-    capture_.writer->write(realtime_ns(), exchange);
-    ++capture_.entries;
+    file_.add([&](log::ModbusCaptureWriter& writer) {
+      writer.write(realtime_ns(), exchange);
+      return 1;
+    });
   }
   void up() override {
     fmt::print(stderr, "{}: recording\n", name_);
@@ -59,40 +51,17 @@ class Link : private modbus::ModbusListener {
   }
 
   std::string name_;
-  SharedCapture& capture_;
+  CaptureFile& file_;
   Opening opening_;
   std::unique_ptr<modbus::ModbusLink> link_;
   std::atomic<bool> stop_{false};
-  std::thread thread_;
-};
-
-class ModbusRecorder : public BusRecorder {
- public:
-  ModbusRecorder(const config::Rig& rig, const std::filesystem::path& file) {
-    const std::lock_guard<std::mutex> lock(capture_.mutex);
-    for (const modbus::ModbusOptions& link : rig.modbus)
-      links_.push_back(std::make_unique<Link>(link, capture_));
-    for (const auto& link : links_) link->require_open();
-    capture_.writer.emplace(file);
-  }
-  void flush() override {
-    const std::lock_guard<std::mutex> lock(capture_.mutex);
-    capture_.writer->flush();
-  }
-  std::uint64_t entries() const override {
-    const std::lock_guard<std::mutex> lock(capture_.mutex);
-    return capture_.entries;
-  }
-
- private:
-  mutable SharedCapture capture_;
-  std::vector<std::unique_ptr<Link>> links_;
+  std::thread thread_;  // last: it uses all of the above
 };
 
 }  // namespace
 
 std::unique_ptr<BusRecorder> record_modbus(const config::Rig& rig, const std::filesystem::path& file) {
-  return std::make_unique<ModbusRecorder>(rig, file);
+  return std::make_unique<FileRecorder<Link, log::ModbusCaptureWriter>>(rig.modbus, file);
 }
 
 }  // namespace rigsound::tools

@@ -61,19 +61,3 @@ TEST_CASE("what is no network is refused") {
     CHECK_FALSE(config::parse_network(text));
   }
 }
-
-TEST_CASE("host and port") {
-  const auto is = [](const char* text, const char* host, int port) {
-    const auto got = config::parse_host_port(text, 502);
-    INFO(text);
-    REQUIRE(got);
-    CHECK(got->host == host);
-    CHECK(got->port == port);
-  };
-  is("127.0.0.1:1502", "127.0.0.1", 1502);
-  is("plc.local", "plc.local", 502);
-  is("[::1]:99", "::1", 99);
-  is("[::1]", "::1", 502);
-  for (const char* text : {"", ":502", "a:", "a:0", "a:65536", "a:x", "[::1", "[::1]x", "[]:1"})
-    CHECK_FALSE(config::parse_host_port(text, 502));
-}

@@ -1,4 +1,5 @@
-#include <netdb.h>
+#include "control_socket.hpp"
+
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -7,9 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <memory>
 
-#include "line_server.hpp"
 #include "rigsound/device_error.hpp"
 
 namespace rigsound::daemon {
@@ -47,26 +46,6 @@ FileDescriptor listen_unix(const std::string& path) {
   ::umask(mask);
   if (!bound) fail(path, std::strerror(error));
   if (::listen(fd.get(), SOMAXCONN) != 0) fail(path, std::strerror(errno));
-  return fd;
-}
-
-FileDescriptor listen_tcp(const std::string& address) {
-  const std::size_t colon = address.rfind(':');
-  std::string host = address.substr(0, colon);
-  if (host.size() > 1 && host.front() == '[') host = host.substr(1, host.size() - 2);
-  addrinfo hints{};
-  hints.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
-  hints.ai_socktype = SOCK_STREAM;
-  addrinfo* found = nullptr;
-  const int error = ::getaddrinfo(host.c_str(), address.substr(colon + 1).c_str(), &hints, &found);
-  if (error != 0) fail(address, ::gai_strerror(error));
-  const std::unique_ptr<addrinfo, void (*)(addrinfo*)> owner(found, ::freeaddrinfo);
-  FileDescriptor fd(::socket(found->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
-  const int on = 1;
-  if (fd) ::setsockopt(fd.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
-  const bool listening =
-      fd && ::bind(fd.get(), found->ai_addr, found->ai_addrlen) == 0 && ::listen(fd.get(), SOMAXCONN) == 0;
-  if (!listening) fail(address, std::strerror(errno));
   return fd;
 }
 
