@@ -63,12 +63,6 @@ Series<double> norms_of(const Segments& segments, const std::vector<ClickCandida
   return norms;
 }
 
-const ChainResult& longest(const Segments& segments) {
-  return *std::max_element(segments.begin(), segments.end(), [](const ChainResult& a, const ChainResult& b) {
-    return a.drilling.size() < b.drilling.size();
-  });
-}
-
 BankFigures figures_of(const Segments& segments, const ClickBank& bank, const BandLevels& target) {
   BankFigures f;
   f.segments_drilling = static_cast<int>(segments.size());
@@ -87,9 +81,8 @@ BankFigures figures_of(const Segments& segments, const ClickBank& bank, const Ba
   const std::vector<float> proof = resynthesise(bank, kProofSeconds, kProofSeed).sound;
   f.ltas_error_db =
       mean_difference_db(target, third_octave_levels(proof), kLtasRangeDb, Difference::kCentred);
-  f.modulation_error_db =
-      mean_difference_db(modulation_levels(longest(segments).drilling), modulation_levels(proof),
-                         kModulationRangeDb, Difference::kAbsolute);
+  f.modulation_error_db = mean_difference_db(recorded_modulation(segments), modulation_levels(proof),
+                                             kModulationRangeDb, Difference::kAbsolute);
   return f;
 }
 

@@ -54,14 +54,17 @@ double energy(const std::vector<float>& x, int from, int to) {
   return sum;
 }
 
+std::vector<float> first_to_last_click(const ChainResult& s) {
+  return {s.drilling.begin() + s.clicks.P.front(), s.drilling.begin() + s.clicks.P.back()};
+}
+
 }  // namespace
 
 BandLevels recorded_levels(const Segments& segments, Levels levels) {
   BandLevels mean;
   double total = 0;
   for (const ChainResult& s : segments) {
-    const std::vector<float> drilled(s.drilling.begin() + s.clicks.P.front(),
-                                     s.drilling.begin() + s.clicks.P.back());
+    const std::vector<float> drilled = first_to_last_click(s);
     const BandLevels here = third_octave_levels(drilled);
     const auto weight = static_cast<double>(drilled.size());
     mean.centre_hz = here.centre_hz;
@@ -73,6 +76,15 @@ BandLevels recorded_levels(const Segments& segments, Levels levels) {
   for (double& level : mean.level_db) level = 10 * std::log10(level / total);
   if (levels == Levels::kGivenBack) give_back(segments, mean);
   return mean;
+}
+
+BandLevels recorded_modulation(const Segments& segments) {
+  std::vector<float> longest;
+  for (const ChainResult& s : segments) {
+    std::vector<float> drilled = first_to_last_click(s);
+    if (drilled.size() > longest.size()) longest = std::move(drilled);
+  }
+  return modulation_levels(longest);
 }
 
 double drilling_power(const Segments& segments) {

@@ -12,6 +12,10 @@ namespace rigsound::analysis {
 enum class Levels { kDenoisedOnly, kGivenBack };
 BandLevels recorded_levels(const Segments& segments, Levels levels);
 
+/// Modulation levels of the longest segment, from its first to its last click: a pause before the drilling is
+/// no modulation of it. Thread: OFF.
+BandLevels recorded_modulation(const Segments& segments);
+
 /// Mean square of the denoised drilling while it goes on: from first to last click without the pauses.
 /// Thread: OFF.
 double drilling_power(const Segments& segments);

@@ -89,11 +89,7 @@ std::string third_octave_panel(const Segments& segments, const std::vector<float
 }
 
 std::string modulation_panel(const Segments& segments, const std::vector<float>& synthesis) {
-  const auto longest = std::max_element(segments.begin(), segments.end(), [](const auto& a, const auto& b) {
-    return a.drilling.size() < b.drilling.size();
-  });
-  const BandLevels recorded = modulation_levels(longest->drilling),
-                   synthesised = modulation_levels(synthesis);
+  const BandLevels recorded = recorded_modulation(segments), synthesised = modulation_levels(synthesis);
   return spectrum("Modulation spectrum of the envelope",
                   frequency_axis("modulation frequency, Hz", 1, 260, {1, 2, 4, 8, 16, 32, 64, 128, 256}),
                   level_axis("dB re the mean", recorded, synthesised, 45), recorded, synthesised);

@@ -1,23 +1,20 @@
 #include "sound_set/clicks_wav.hpp"
 
-#include <sndfile.h>
-
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
 #include <memory>
 #include <string>
 
 #include "rigsound/config/bank_files.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/input_error.hpp"
+#include "sound_set/wav_sound.hpp"
 
 namespace rigsound::config {
 namespace {
 
 using Cues = SF_CUES_VAR(kMaxBankClicks);
-using Sound = std::unique_ptr<SNDFILE, int (*)(SNDFILE*)>;
 
 constexpr double kUnitTolerance = 1e-5;  // float rounding of a long click stays below
 
@@ -32,21 +29,6 @@ std::unique_ptr<Cues> cues_of(const Clicks& clicks) {
     start += static_cast<std::uint32_t>(click.size());
   }
   return cues;
-}
-
-/// libsndfile reads what there is of a file that was cut off and says nothing.
-void require_whole(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  unsigned char head[8] = {};
-  in.read(reinterpret_cast<char*>(head), sizeof head);
-  if (!in || std::string(head, head + 4) != "RIFF") return;
-  const std::uint64_t announced =
-      8 + (head[4] | head[5] << 8 | head[6] << 16 | static_cast<std::uint64_t>(head[7]) << 24);
-  std::error_code error;
-  const std::uint64_t there = std::filesystem::file_size(file, error);
-  if (there < announced)
-    throw InputError(file.string(), "is cut off after " + std::to_string(there) + " bytes, expected " +
-                                        std::to_string(announced));
 }
 
 std::vector<float> unit_click(std::vector<float> click, const std::string& file, std::size_t index) {
@@ -64,31 +46,17 @@ std::vector<float> unit_click(std::vector<float> click, const std::string& file,
 }  // namespace
 
 void write_clicks_wav(const std::filesystem::path& file, const Clicks& clicks, int sample_rate) {
-  SF_INFO format{};
-  format.samplerate = sample_rate;
-  format.channels = 1;
-  format.format = SF_FORMAT_WAV | SF_FORMAT_FLOAT;
-  const Sound sound(sf_open(file.c_str(), SFM_WRITE, &format), sf_close);
-  if (!sound) throw DeviceError(file.string() + ": cannot be written: " + sf_strerror(nullptr));
-  sf_command(sound.get(), SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);  // it carries the time of writing
+  const WavSound sound = create_wav(file, sample_rate);
   const auto cues = cues_of(clicks);
-  bool whole = sf_command(sound.get(), SFC_SET_CUE, cues.get(), sizeof(Cues)) == SF_TRUE;
-  for (const std::vector<float>& click : clicks) {
-    const auto size = static_cast<sf_count_t>(click.size());
-    whole = whole && sf_write_float(sound.get(), click.data(), size) == size;
-  }
-  if (!whole) throw DeviceError(file.string() + ": cannot be written whole: " + sf_strerror(sound.get()));
+  if (sf_command(sound.get(), SFC_SET_CUE, cues.get(), sizeof(Cues)) != SF_TRUE)
+    throw DeviceError(file.string() + ": cannot be written whole: " + sf_strerror(sound.get()));
+  for (const std::vector<float>& click : clicks) write_samples(sound, file, click.data(), click.size());
 }
 
 Clicks read_clicks_wav(const std::filesystem::path& file, int sample_rate) {
   const std::string name = file.string();
   SF_INFO format{};
-  const Sound sound(sf_open(file.c_str(), SFM_READ, &format), sf_close);
-  if (!sound)
-    throw InputError(
-        name, std::string("cannot be read as a WAV file, expected the clicks: ") + sf_strerror(nullptr));
-  require_whole(file);
-  if (format.channels != 1) throw InputError(name, std::to_string(format.channels) + " channels, expected 1");
+  const WavSound sound = open_wav(file, format);
   if (format.samplerate != sample_rate)
     throw InputError(name, std::to_string(format.samplerate) +
                                " Hz, expected the sample_rate of bank.json, " + std::to_string(sample_rate) +

@@ -9,6 +9,7 @@
 #include "progress_bar.hpp"
 #include "rigsound/analysis/analyzer.hpp"
 #include "rigsound/analysis/report.hpp"
+#include "rigsound/file/atomic_file.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -55,6 +56,7 @@ void print_bank(const AnalysedPart& p) {
 
 void analyze(const AnalyzeArguments& a) {
   const AnalyzerOptions options = options_of(a);
+  if (!a.report.empty()) AtomicFile(a.report);  // a page that cannot be written is told before the work
   AnalyzerResult result;
   {
     ProgressBar bar;

@@ -201,6 +201,17 @@ TEST_CASE("what people wrote into soundset.toml stays") {
   CHECK(now.find("\"whole\"", edited.size()) != std::string::npos);
 }
 
+TEST_CASE("a broken soundset.toml is told before anything is analysed") {
+  const Workplace at;
+  write_recordings(at);
+  fs::create_directories(at / "set");
+  write_text(at / "set/soundset.toml", "format = 99\n");
+  int analysed = 0;
+  CHECK_THROWS_AS(run_analyzer(options_for(at, "set"), [&](int done, int) { analysed = done; }), InputError);
+  CHECK(analysed == 0);
+  CHECK(read_text(at / "set/soundset.toml") == "format = 99\n");
+}
+
 TEST_CASE("noise is no drilling and leaves no bank") {
   const Workplace at;
   fs::create_directories(at / "in");

@@ -58,8 +58,9 @@ using AnalyzerProgress = std::function<void(int analysed, int total)>;
 
 /// Analyses every part that has no finished bank with the same settings and source hash yet, and adds missing
 /// entries to soundset.toml. A bank is on disk whole or not at all; several shards may write to one sound set
-/// at once. Errors: InputError when there is nothing to analyse; DeviceError for the disk. A part that cannot
-/// be analysed is no error but a line of `failures`. Thread: OFF; starts `jobs` threads and joins them.
+/// at once. Errors: InputError when there is nothing to analyse or soundset.toml is broken; DeviceError for
+/// the disk. A part that cannot be analysed is no error but a line of `failures`. Thread: OFF; starts `jobs`
+/// threads and joins them.
 AnalyzerResult run_analyzer(const AnalyzerOptions& options, const AnalyzerProgress& progress);
 
 }  // namespace rigsound::analysis
