@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <stdexcept>
@@ -9,6 +10,7 @@
 #include "bench/formula_sounds.hpp"
 #include "drill/attack_decay.hpp"
 #include "drill/click_player.hpp"
+#include "drill/drill_layer.hpp"
 #include "rigsound/bank_player.hpp"
 
 using namespace rigsound;
@@ -276,6 +278,25 @@ TEST_CASE("a bank plays at its own mean rate and level, and at the rate it is as
     // independent clicks of unit norm: energy adds up as rate x E{B^2}
     const double expected = count * (bank.B * bank.B + bank.sigma_B * bank.sigma_B);
     CHECK(energy == doctest::Approx(expected).epsilon(0.05));
+  }
+}
+
+TEST_CASE("a bank played offline has the samples a boom plays live") {
+  const SoundSet sounds = tools::formula_sounds();
+  const ClickBank& bank = sounds.banks[0];
+  DrillControls controls;
+  controls.decay_factor = 1.5f, controls.mean_amplitude_db = -3;
+  BankPlayer offline(bank, 11);
+  impact::ImpactTrain train(11, 0);
+  drill::DrillLayer live(11, 0);
+  std::array<scene::Slot, kSituationCount> slots{};
+  slots[0] = {&bank, 1, 1};
+  for (int chunk = 0; chunk < 3000; ++chunk) {
+    double played[kChunk], heard[kChunk];
+    offline.process(controls, played);
+    train.process(impact::statistics_of(bank, bank.sample_rate, 0, controls));
+    live.process(slots, controls, train, heard);
+    for (int n = 0; n < kChunk; ++n) REQUIRE(played[n] == heard[n]);
   }
 }
 
