@@ -12,10 +12,14 @@
 
 namespace rigsound::drill {
 
-/// Plays a click for each impact: chosen at random, never the same twice in a row (granular.md, step 9),
-/// at the impact's rounded onset, with the impact's amplitude times the bank's B.
+/// Plays a click for each impact: at random one of those that have rested, so never the same twice in a row
+/// (step 9 of the design) and all about equally often; at the impact's rounded onset, with the impact's
+/// amplitude times the bank's B.
 class ClickPlayer {
  public:
+  /// A click is not played again before half the others of its bank, or this many, have been.
+  static constexpr std::size_t kMaxResting = 8;
+
   /// Players with different (seed, boom, situation) choose independently. Thread: OFF.
   ClickPlayer(std::uint64_t seed, int boom, int situation) noexcept;
 
@@ -30,10 +34,13 @@ class ClickPlayer {
 
  private:
   const std::vector<float>& choose(const ClickBank& bank, std::uint64_t index) noexcept;
+  void rest(std::size_t click, std::size_t clicks) noexcept;
 
   dsp::RandomField random_;
   std::array<ClickVoice, kMaxVoices> voices_{};
-  const std::vector<float>* last_ = nullptr;
+  const ClickBank* bank_ = nullptr;                 ///< the one resting_ counts in
+  std::array<std::size_t, kMaxResting> resting_{};  ///< the last clicks played, oldest first
+  std::size_t resting_count_ = 0;
   std::uint64_t lost_ = 0;
 };
 
