@@ -1,8 +1,10 @@
 // rigsound denoise: a drill without the machine it sits on.
+#include <filesystem>
 #include <memory>
 
 #include "chain_arguments.hpp"
 #include "rigsound/analysis/wave_file.hpp"
+#include "rigsound/input_error.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -13,17 +15,40 @@ struct DenoiseOptions {
   std::string output, noise;
 };
 
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  return std::filesystem::weakly_canonical(absolute(a)) == std::filesystem::weakly_canonical(absolute(b));
+}
+
+/// Refuses outputs that would replace the recording or one another.
+void check_names(const DenoiseOptions& options) {
+  for (const std::string& output : {options.output, options.noise})
+    if (!output.empty() && same_file(output, options.chain.input))
+      throw InputError(output, "is the recording itself, expected another name for the output");
+  if (!options.noise.empty() && same_file(options.output, options.noise))
+    throw InputError(options.noise, "is the name of both outputs, expected two different names");
+}
+
+std::vector<float> background(const analysis::Recording& recording, const std::vector<float>& drilling) {
+  std::vector<float> rest(recording.mono);
+  for (size_t n = 0; n < rest.size(); ++n) rest[n] -= drilling[n];
+  return rest;
+}
+
 void run(const DenoiseOptions& options) {
+  check_names(options);
   const analysis::Recording recording = read_input(options.chain);
   const analysis::ChainResult result = run_chain(recording, options.chain, Denoising::kOn);
-  analysis::write_wave(options.output, analysis::at_source_rate(recording, result.drilling),
-                       recording.source_rate);
+  const auto write = [&recording](const AtomicFile& file, const std::vector<float>& x) {
+    analysis::write_wave(file, analysis::at_source_rate(recording, x), recording.source_rate);
+  };
+  AtomicFile output(options.output);
+  write(output, result.drilling);
   if (!options.noise.empty()) {
-    std::vector<float> background(recording.mono);
-    for (size_t n = 0; n < background.size(); ++n) background[n] -= result.drilling[n];
-    analysis::write_wave(options.noise, analysis::at_source_rate(recording, background),
-                         recording.source_rate);
+    AtomicFile noise(options.noise);
+    write(noise, background(recording, result.drilling));
+    noise.commit();
   }
+  output.commit();
   if (!result.drilling_found) report_nothing_found(options.chain, result);
 }
 

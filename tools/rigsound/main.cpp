@@ -16,6 +16,12 @@ constexpr tools::AddVerb kVerbs[] = {
     tools::add_replay,  tools::add_resynth,    tools::add_simulate, tools::add_tool,
 };
 
+/// A full disk behind a redirected stdout shows only now.
+void flush_output() {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw DeviceError("standard output: cannot be written: disk full?");
+}
+
 int run(int argc, char** argv) {
   CLI::App app("The sound of a percussive drilling rig, from recordings and a fieldbus.", "rigsound");
   app.require_subcommand(1);
@@ -26,6 +32,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
+  flush_output();
   return 0;
 }
 

@@ -8,13 +8,15 @@ namespace rigsound {
 
 /// Reserves a temporary name beside `target` (same folder, so that the rename is atomic). Unless
 /// commit() was called the temporary is removed on destruction and `target` stays as it was.
-/// Errors: DeviceError when the folder cannot be written. Thread: OFF, CT.
+/// Errors: DeviceError when the folder cannot be written or `target` is a folder, a device or a pipe. Thread: OFF, CT.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path target);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
+
+  const std::filesystem::path& target() const { return target_; }
 
   /// Where to write. Keeps the extension of the target, which some libraries look at.
   const std::filesystem::path& temporary() const { return temporary_; }
