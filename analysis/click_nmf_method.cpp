@@ -17,8 +17,9 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr int kCsIterations[] = {90, 225};  // first pass, second pass
-constexpr size_t kFewestClicks = 4;         // for a fit
+constexpr int kPasses = 2;
+constexpr int kRoughIterations = 90;  // of step 6, where its result only guides another look
+constexpr size_t kFewestClicks = 4;   // for a fit
 
 struct MeanPsd {
   Eigen::ArrayXd S, N;
@@ -59,10 +60,18 @@ DrillingEvidence look(const std::vector<float>& x, const MeanPsd& psd, const std
   return evidence;
 }
 
-/// Step 6, and what it says about the clicks.
-Factors explain(const PowerSpectrogram& power, int iterations, DrillingEvidence& evidence) {
+/// The last pass knows the clicks' envelope well enough to choose its decays by it.
+CsNmfOptions options_of(int pass, const ClickTrain& clicks) {
   CsNmfOptions options;
-  options.iterations = iterations;
+  if (pass + 1 < kPasses)
+    options.iterations = kRoughIterations;
+  else
+    options.decays = decays_around(clicks);
+  return options;
+}
+
+/// Step 6, and what it says about the clicks.
+Factors explain(const PowerSpectrogram& power, const CsNmfOptions& options, DrillingEvidence& evidence) {
   const Factors factors = cs_nmf(power, evidence.clicks, options);
   const Eigen::ArrayXf near = frames_near_clicks(evidence.clicks, power.frames);
   evidence.background_alone = mean_divergence(power, background_nmf(power), near);
@@ -76,7 +85,7 @@ ClipSplit split_without_denoising(const std::vector<float>& x, const Dump& dump)
   split.signal_psd = power.P.leftCols(power.frames).cast<double>().rowwise().mean() * power.scale;
   split.noise_psd = Eigen::ArrayXd::Zero(split.signal_psd.size());
   DrillingEvidence evidence = look(x, {split.signal_psd, split.noise_psd}, "only", dump);
-  if (evidence.clicks.P.size() >= kFewestClicks) explain(power, kCsIterations[0], evidence);
+  if (evidence.clicks.P.size() >= kFewestClicks) explain(power, options_of(0, evidence.clicks), evidence);
   split.reason = no_drilling_reason(evidence);
   split.clicks = std::move(evidence.clicks);
   split.drilling = x;
@@ -94,10 +103,10 @@ ClipSplit split_by_click_nmf(const std::vector<float>& x, const ChainOptions& op
   const PsdPair blind = modelled_psd(initial_nmf(power, initial), power);
   PsdPair psd = blind;
   ClipSplit split;
-  for (int pass = 0; pass < 2; ++pass) {
+  for (int pass = 0; pass < kPasses; ++pass) {
     DrillingEvidence evidence = look(x, mean_over_time(psd), fmt::format("pass{}", pass + 1), dump);
     if (evidence.clicks.P.size() >= kFewestClicks)
-      psd = modelled_psd(explain(power, kCsIterations[pass], evidence), power);
+      psd = modelled_psd(explain(power, options_of(pass, evidence.clicks), evidence), power);
     split.reason = no_drilling_reason(evidence);
     split.clicks = std::move(evidence.clicks);
     if (split.clicks.P.size() < kFewestClicks) break;

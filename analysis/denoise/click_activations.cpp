@@ -8,6 +8,7 @@ namespace {
 
 // Energies are followed on a grid of 16 samples: eight points a hop, 1/32 of the window.
 constexpr int kStep = 16;
+constexpr double kSlowestShare = 0.4, kSlowest = 0.5, kFastest = 12;
 
 /// beta_i^2 shared between the two grid points around P_i. Grid point 0 is half a window before sample 0.
 Eigen::ArrayXd impulses(const ClickTrain& train, int points) {
@@ -40,7 +41,16 @@ Eigen::ArrayXd convolve(const Eigen::ArrayXd& x, const Eigen::ArrayXd& kernel) {
 
 }  // namespace
 
-Grid click_activations(const ClickTrain& train, int frames, int padded) {
+Decays decays_around(const ClickTrain& train) {
+  const double slowest =
+      std::clamp(kSlowestShare * train.envelope.alpha_d * train.T_0, kSlowest, kFastest / 2);
+  Decays decays{};
+  for (int j = 0; j < kDecayCount; ++j)
+    decays[j] = slowest * std::pow(kFastest / slowest, j / (kDecayCount - 1.0));
+  return decays;
+}
+
+Grid click_activations(const ClickTrain& train, const Decays& decays, int frames, int padded) {
   const int hop = kChainStft.hop / kStep, width = kChainStft.window / kStep,
             points = frames * hop + width + 1;
   const Eigen::ArrayXd impulse = impulses(train, points), attack = squared_attack(train.envelope.N_a);
@@ -51,7 +61,7 @@ Grid click_activations(const ClickTrain& train, int frames, int padded) {
   const Eigen::ArrayXd weight = window.square() / window.square().sum();
   Grid rows = Grid::Zero(kDecayCount, padded);
   for (int j = 0; j < kDecayCount; ++j) {
-    const double factor = std::exp(-2 * kDecays[j] / train.T_0 * kStep);
+    const double factor = std::exp(-2 * decays[j] / train.T_0 * kStep);
     Eigen::ArrayXd energy = rising;
     double tail = 0;
     for (long n = rise; n < points; ++n) energy(n) += tail = tail * factor + impulse(n - rise);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denoise/click_activations.hpp"
 #include "kernels/is_kernels.hpp"
 #include "rigsound/analysis/chain.hpp"
 
@@ -26,7 +25,7 @@ Factors cs_nmf(const PowerSpectrogram& power, const ClickTrain& train, const CsN
   Factors f;
   f.signal_words = kDecayCount;
   f.H = Grid(words, power.padded());
-  f.H.topRows(kDecayCount) = click_activations(train, power.frames, power.padded());
+  f.H.topRows(kDecayCount) = click_activations(train, options.decays, power.frames, power.padded());
   f.H.bottomRows(knots) = hats(knots, power.frames, power.padded());
   f.W = Grid(power.bins(), words);
   const Eigen::ArrayXf noise = noise_level(power, options.noise_start);

@@ -1,12 +1,14 @@
 // Step 6: click-synchronous NMF. The activations follow from the clicks, only the spectra are learned.
 #pragma once
 
+#include "denoise/click_activations.hpp"
 #include "denoise/power.hpp"
 #include "rigsound/analysis/click_train.hpp"
 
 namespace rigsound::analysis {
 
 struct CsNmfOptions {
+  Decays decays = kUsualDecays;
   int iterations = 225;  ///< multiplicative updates of W
   float noise_start =
       0.05f;  ///< of the 20 % quantile's noise level; low, or a loud drill leaks into the noise

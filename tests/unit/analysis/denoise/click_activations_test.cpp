@@ -38,14 +38,26 @@ double direct(const ClickTrain& train, double decay, int frame) {
 TEST_CASE("the rows follow the energy of the clicks through the window, with mean one") {
   const ClickTrain train = two_clicks();
   const int frames = 150, padded = 160;
-  const Grid rows = click_activations(train, frames, padded);
+  const Grid rows = click_activations(train, kUsualDecays, frames, padded);
   for (int j = 0; j < kDecayCount; ++j) {
     CHECK(rows.row(j).head(frames).mean() == doctest::Approx(1).epsilon(1e-4));
     CHECK(rows.row(j).tail(padded - frames).maxCoeff() == 0);
     Eigen::ArrayXd expected(frames);
-    for (int n = 0; n < frames; ++n) expected(n) = direct(train, kDecays[j] / train.T_0, n);
+    for (int n = 0; n < frames; ++n) expected(n) = direct(train, kUsualDecays[j] / train.T_0, n);
     expected /= expected.mean();
     const double error = (rows.row(j).head(frames).transpose().cast<double>() - expected).abs().maxCoeff();
     CHECK(error < 0.03 * expected.maxCoeff());
   }
+}
+
+TEST_CASE("the decays around an envelope reach from its slow modes to the fastest, in equal ratios") {
+  ClickTrain train = two_clicks();
+  train.envelope.alpha_d = 3 / train.T_0;
+  const Decays decays = decays_around(train);
+  CHECK(decays.front() == doctest::Approx(1.2));
+  CHECK(decays.back() == doctest::Approx(12));
+  for (int j = 2; j < kDecayCount; ++j)
+    CHECK(decays[j] / decays[j - 1] == doctest::Approx(decays[1] / decays[0]));
+  train.envelope.alpha_d = 0.7 / train.T_0;
+  CHECK(decays_around(train).front() == doctest::Approx(0.5));
 }
