@@ -12,6 +12,18 @@ SNRS = (-6, 0, 6, 12)
 BOUNCE = '2'
 
 
+def is_regular(clip):
+    """Without missed and double strikes or bounces."""
+    return clip % 100 < 24
+
+
+def has_one_decay(clip):
+    """The regular noise-like clips: all their frequencies decay alike. In the modal ones every mode has its own
+    decay, and no alpha_d is the true one."""
+    row = clip % 100
+    return is_regular(clip) and (row + row // 8) % 2 == 0
+
+
 class Workplace:
     """A folder that goes away."""
 
@@ -41,7 +53,7 @@ def detection(program, clip):
             found, strengths, cpu = program.clicks(mix, *(['--no-denoise'] if snr == 'clean' else []))
             here = scores.click_scores(found, strengths, times, amplitudes)
             here.update(found=len(found), cpu_s=cpu)
-            folder, bank = program.analyze(mix, at('set'), '--clicks', 2, *(['--no-denoise'] if snr == 'clean' else []))
+            bank = has_one_decay(clip) and program.analyze(mix, at('set'), '--clicks', 2, *(['--no-denoise'] if snr == 'clean' else []))[1]
             if bank:
                 here['alpha_d'] = abs(bank['alpha_d'] / truth['alpha_d'] - 1)
                 here['N_a'] = 2 ** abs(np.log2(max(bank['N_a'], 1) / truth['N_a']))
@@ -50,7 +62,6 @@ def detection(program, clip):
                 here['si_sdri'] = scores.si_sdr_db(clean, read_wave(at('out.wav'))) - scores.si_sdr_db(clean, read_wave(mix))
             result.update({'%s@%s' % (k, snr): v for k, v in here.items()})
         result['false_alarm'] = len(program.clicks(stem + '_bg.wav')[0]) > 0
-        result['paper_cpu_s'] = program.denoise(stem + '_0.wav', at('out.wav'), '--method', 'paper')
     return result
 
 

@@ -58,6 +58,11 @@ class Program:
     def denoise(self, recording, output, *options):
         return self.run('denoise', recording, output, '--jobs', 1, *options)[1]
 
+    def kernels(self):
+        """Figures of nmf_bench, built beside the binary."""
+        bench = os.path.join(os.path.dirname(self.binary), '..', 'tests', 'bench', 'nmf_bench')
+        return json.loads(subprocess.run([bench, '--json'], capture_output=True, text=True, check=True).stdout)
+
     def analyze(self, recording, sound_set, *options):
         """The one bank of `recording`: its folder and bank.json, or None when there is none."""
         shutil.rmtree(sound_set, ignore_errors=True)
