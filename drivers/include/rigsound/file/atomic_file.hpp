@@ -8,7 +8,8 @@ namespace rigsound {
 
 /// Reserves a temporary name beside `target` (same folder, so that the rename is atomic). Unless
 /// commit() was called the temporary is removed on destruction and `target` stays as it was.
-/// Errors: DeviceError when the folder cannot be written or `target` is a folder, a device or a pipe. Thread: OFF, CT.
+/// Errors: DeviceError when the folder cannot be written or `target` is a folder, a device or a pipe. Thread:
+/// OFF, CT.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path target);
