@@ -94,10 +94,11 @@ class AlsaPcm : public Pcm {
   int resume() noexcept override { return snd_pcm_resume(handle_.get()); }
 
  private:
+  bool raw() const { return options_.device.rfind("hw:", 0) == 0; }
+
   // Only ALSA's own converter changes rates, and a raw card has none in front of it.
   std::string device_name() const {
-    const bool raw = options_.device.rfind("hw:", 0) == 0;
-    return options_.resample && raw ? "plug" + options_.device : options_.device;
+    return options_.resample && raw() ? "plug" + options_.device : options_.device;
   }
 
   void require(int error, const std::string& what) const {
@@ -116,11 +117,27 @@ class AlsaPcm : public Pcm {
     require(-EINVAL, "format " + std::string(name(options_.format)));
   }
 
+  // A raw card does what the rig asks, or says what it can. Behind a mixer (`default`) the period is somebody
+  // else's: the nearest is taken, and told.
+  void set_buffer(snd_pcm_hw_params_t* hw) {
+    snd_pcm_t* h = handle_.get();
+    auto period = static_cast<snd_pcm_uframes_t>(options_.block);
+    const auto periods = static_cast<snd_pcm_uframes_t>(options_.periods);
+    int error = snd_pcm_hw_params_set_period_size(h, hw, period, 0);
+    if (error == 0) error = snd_pcm_hw_params_set_buffer_size(h, hw, periods * period);
+    if (error < 0 && !raw()) {
+      error = snd_pcm_hw_params_set_period_size_near(h, hw, &period, nullptr);
+      snd_pcm_uframes_t buffer = periods * period;
+      if (error == 0) error = snd_pcm_hw_params_set_buffer_size_near(h, hw, &buffer);
+    }
+    require(error,
+            std::to_string(options_.periods) + " periods of " + std::to_string(options_.block) + " frames");
+  }
+
   void set_hardware() {
     snd_pcm_t* h = handle_.get();
     HardwareParams hw;
     const auto rate = static_cast<unsigned>(options_.rate);
-    const auto frames = [](int n) { return static_cast<snd_pcm_uframes_t>(n); };
     require(snd_pcm_hw_params_any(h, hw.get), "no configuration");
     require(snd_pcm_hw_params_set_rate_resample(h, hw.get, options_.resample ? 1 : 0), "resampling");
     require(snd_pcm_hw_params_set_access(h, hw.get, SND_PCM_ACCESS_RW_INTERLEAVED), "interleaved access");
@@ -128,10 +145,7 @@ class AlsaPcm : public Pcm {
             std::to_string(options_.channels) + " channels");
     require(snd_pcm_hw_params_set_rate(h, hw.get, rate, 0), std::to_string(rate) + " Hz");
     set_format(hw.get);
-    require(snd_pcm_hw_params_set_period_size(h, hw.get, frames(options_.block), 0),
-            "period of " + std::to_string(options_.block) + " frames");
-    require(snd_pcm_hw_params_set_buffer_size(h, hw.get, frames(options_.block * options_.periods)),
-            "buffer of " + std::to_string(options_.periods) + " periods");
+    set_buffer(hw.get);
     require(snd_pcm_hw_params(h, hw.get), "configuration");
     granted_.rate = options_.rate;
     granted_.channels = options_.channels;
@@ -142,8 +156,9 @@ class AlsaPcm : public Pcm {
     snd_pcm_t* h = handle_.get();
     SoftwareParams sw;
     require(snd_pcm_sw_params_current(h, sw.get), "stream settings");
-    require(snd_pcm_sw_params_set_avail_min(h, sw.get, granted_.period), "wake-up");
-    require(snd_pcm_sw_params_set_start_threshold(h, sw.get, granted_.buffer), "start");
+    const auto block = static_cast<snd_pcm_uframes_t>(options_.block);
+    require(snd_pcm_sw_params_set_avail_min(h, sw.get, block), "wake-up");
+    require(snd_pcm_sw_params_set_start_threshold(h, sw.get, granted_.buffer / block * block), "start");
     require(snd_pcm_sw_params_set_tstamp_mode(h, sw.get, SND_PCM_TSTAMP_ENABLE), "time stamps");
     require(snd_pcm_sw_params_set_tstamp_type(h, sw.get, SND_PCM_TSTAMP_TYPE_MONOTONIC), "time stamps");
     require(snd_pcm_sw_params(h, sw.get), "stream settings");

@@ -110,7 +110,7 @@ bool AlsaSink::recover(int error) noexcept {
 bool AlsaSink::restart() noexcept {
   if (pcm_->prepare() < 0) return false;
   const auto block = static_cast<unsigned long>(options_.block);
-  for (int p = 1; p < options_.periods; ++p)
+  for (unsigned long room = pcm_->granted().buffer; room >= 2 * block; room -= block)
     if (pcm_->write(silence_.data(), block) < 0) break;  // the block's own write meets the error again
   return true;
 }

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "can/can_port.hpp"
+#include "complaints.hpp"
 #include "rigsound/device_error.hpp"
 
 namespace rigsound::can {
@@ -26,6 +27,7 @@ CanBus::CanBus(CanBusOptions options, CanListener& listener, std::unique_ptr<Can
     : options_(std::move(options)),
       listener_(listener),
       port_(std::move(port)),
+      complaints_(std::make_unique<Complaints>([this](const std::string& text) { listener_.notice(text); })),
       batch_(kBatch),
       pause_ms_(kFirstPause_ms) {}
 
@@ -95,7 +97,7 @@ void CanBus::controller_error(const Frame& frame) {
   }
   const bool passive = (frame.data[1] & (CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_TX_PASSIVE)) != 0;
   if ((frame.id & CAN_ERR_CRTL) != 0 && passive)
-    listener_.notice(options_.interface +
+    complaints_->add(options_.interface +
                      ": the controller is error-passive: look at wiring, termination, bit rate");
 }
 

@@ -9,6 +9,7 @@
 #include "log/state_words.hpp"
 #include "rigsound/audio/sample_format.hpp"
 #include "rigsound/input_error.hpp"
+#include "rigsound/limits.hpp"
 
 namespace rigsound::log {
 namespace {
@@ -54,7 +55,9 @@ SessionHeader parse_header(const std::string& file, const std::string& bytes, st
   const auto sample_format = audio::sample_format_by_name(lines["format"]);
   const bool good = read_number(lines["seed"], h.seed) && read_number(lines["sample_rate"], h.sample_rate) &&
                     read_number(lines["block"], h.block) && read_number(lines["channels"], h.channels) &&
-                    sample_format;
+                    sample_format && h.sample_rate >= kMinSampleRate && h.sample_rate <= kMaxSampleRate &&
+                    h.block >= kChunk && h.block <= kMaxBlock && h.block % kChunk == 0 && h.channels >= 1 &&
+                    h.channels <= kMaxChannels;
   if (!good)
     throw InputError(file, "has a damaged header, expected seed, sample_rate, block, channels, format");
   h.format = *sample_format;

@@ -17,7 +17,10 @@ bool is_exception(int error) { return error >= EMBXILFUN && error <= EMBXGTAR; }
 }  // namespace
 
 Client::Client(const ModbusOptions& options, ModbusListener& listener)
-    : options_(options), listener_(listener), complaints_(listener), plan_(poll_plan(options.routes)) {}
+    : options_(options),
+      listener_(listener),
+      complaints_([this](const std::string& text) { listener_.notice(text); }),
+      plan_(poll_plan(options.routes)) {}
 
 void Client::step() {
   if (context_) return poll();
@@ -59,7 +62,6 @@ void Client::poll() {
     if (!answered_) {
       answered_ = true;
       last_problem_.clear();
-      backoff_.worked();
       listener_.up();
     }
     listener_.exchange(answer);
@@ -67,6 +69,7 @@ void Client::poll() {
     readings(answer, options_.routes, values);
     listener_.readings(values);
   }
+  backoff_.worked();  // not before: a device that answers wrong now and then is asked less and less often
 }
 
 bool Client::ask(const PollRequest& request, Exchange& answer) {

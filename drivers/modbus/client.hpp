@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "modbus/complaints.hpp"
+#include "complaints.hpp"
 #include "modbus/context.hpp"
 #include "modbus/poll_plan.hpp"
 #include "rigsound/modbus/modbus_link.hpp"

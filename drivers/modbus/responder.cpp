@@ -21,8 +21,8 @@ const char* reason(Refusal refusal) {
 
 }  // namespace
 
-Responder::Responder(const ModbusOptions& options, ModbusListener& listener)
-    : options_(options), listener_(listener), complaints_(listener), registers_(options.routes) {}
+Responder::Responder(const ModbusOptions& options, ModbusListener& listener, Complaints& complaints)
+    : options_(options), listener_(listener), complaints_(complaints), registers_(options.routes) {}
 
 Responder::Outcome Responder::respond(modbus_t* context, const std::uint8_t* adu, int size,
                                       std::size_t pdu_size, const std::string& peer) {

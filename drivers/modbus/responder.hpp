@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-#include "modbus/complaints.hpp"
+#include "complaints.hpp"
 #include "modbus/register_file.hpp"
 #include "rigsound/modbus/modbus_link.hpp"
 
@@ -15,7 +15,7 @@ namespace rigsound::modbus {
 
 class Responder {
  public:
-  Responder(const ModbusOptions& options, ModbusListener& listener);
+  Responder(const ModbusOptions& options, ModbusListener& listener, Complaints& complaints);
 
   enum class Outcome : std::uint8_t { kAnswered, kRefused, kNotSent };
 
@@ -29,7 +29,7 @@ class Responder {
 
   ModbusOptions options_;
   ModbusListener& listener_;
-  Complaints complaints_;
+  Complaints& complaints_;
   RegisterFile registers_;
 };
 

@@ -14,7 +14,10 @@ constexpr int kUnitAndChecksum = 3;  // bytes around the PDU of an RTU frame
 }  // namespace
 
 RtuServer::RtuServer(const ModbusOptions& options, ModbusListener& listener)
-    : options_(options), listener_(listener), complaints_(listener), responder_(options, listener) {}
+    : options_(options),
+      listener_(listener),
+      complaints_([this](const std::string& text) { listener_.notice(text); }),
+      responder_(options, listener, complaints_) {}
 
 void RtuServer::step() {
   if (!context_) return backoff_.due() ? open() : backoff_.wait();

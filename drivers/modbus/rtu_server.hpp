@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "modbus/complaints.hpp"
+#include "complaints.hpp"
 #include "modbus/context.hpp"
 #include "modbus/responder.hpp"
 #include "rigsound/modbus/modbus_link.hpp"

@@ -26,8 +26,8 @@ std::size_t length_field(const std::uint8_t* frame) {
 TcpServer::TcpServer(const ModbusOptions& options, ModbusListener& listener)
     : options_(options),
       listener_(listener),
-      complaints_(listener),
-      responder_(options, listener),
+      complaints_([this](const std::string& text) { listener_.notice(text); }),
+      responder_(options, listener, complaints_),
       context_(make_context(options)) {}
 
 int TcpServer::port() const {

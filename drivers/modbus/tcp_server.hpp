@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "complaints.hpp"
 #include "modbus/context.hpp"
 #include "modbus/responder.hpp"
 #include "rigsound/file/file_descriptor.hpp"

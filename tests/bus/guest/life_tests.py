@@ -11,7 +11,7 @@ import unittest
 from frames import EEC1, Bus, engine_speed
 from place import PLACE
 from rigs import write_rig
-from running import Daemon, wait_for
+from running import PATIENCE_S, Daemon, wait_for
 from sound import PLAYBACK, PeriodClock, Recording, peak_of
 
 CARD_DRIVER = '/sys/bus/platform/drivers/snd_aloop'
@@ -60,7 +60,7 @@ class Life(unittest.TestCase):
         path = '/tmp/notify'
         with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as listener:
             listener.bind(path)
-            listener.settimeout(30)
+            listener.settimeout(PATIENCE_S)
             told = ''
             with Daemon(PLACE.rigsoundd, rig(device='hw:CARD=Missing'),
                         env={'NOTIFY_SOCKET': path, 'WATCHDOG_USEC': '200000'}) as daemon:
@@ -136,6 +136,23 @@ class Card(unittest.TestCase):
             run_diesel()
             daemon.wait_signal('engine_rpm', 1500)
 
+    def test_the_default_device(self):
+        with Daemon(PLACE.rigsoundd, rig(device='default', form='auto')) as daemon:
+            daemon.wait_playing()
+            self.assertIn('sound card default: 2 channels, 48000 Hz', daemon.status()['audio']['card'])
+            blocks = daemon.status()['audio']['blocks']
+            wait_for('two seconds', lambda: daemon.status()['audio']['blocks'] > blocks + 2 * 48000 / 256)
+            audio = daemon.status()['audio']
+            print(f'FIGURE default: {audio["card"]}, {audio["xruns"]} xruns', flush=True)
+            self.assertEqual((audio['xruns'], audio['losses']), (0, 0))
+
+    def test_a_device_that_cannot_do_it_says_what_it_can(self):
+        with Daemon(PLACE.rigsoundd, rig(device='hw:Dummy,0', form='float')) as daemon:
+            wait_for('blocks without a card', lambda: daemon.status()['audio']['blocks'] > 5)
+            card = daemon.status()['audio']['card']
+            self.assertIn('it can do', card)
+            print(f'FIGURE refused: {card}', flush=True)
+
     def test_a_card_pulled_out_and_put_back(self):
         with Daemon(PLACE.rigsoundd, rig(device=PLAYBACK)) as daemon:
             daemon.wait_playing()
@@ -183,7 +200,7 @@ class Sessions(unittest.TestCase):
                 def full():
                     change_speed(bus)
                     return daemon.status()['session']['problem']
-                self.assertIn('No space left', wait_for('the disk to be full', full, 60))
+                self.assertIn('No space left', wait_for('the disk to be full', full))
                 bus.close()
                 blocks = daemon.status()['audio']['blocks']
                 wait_for('more blocks', lambda: daemon.status()['audio']['blocks'] > blocks + 100)
@@ -198,7 +215,7 @@ class Sessions(unittest.TestCase):
             def turned():
                 change_speed(bus)
                 return os.path.exists('/tmp/short.2.rigsession')
-            wait_for('the next session', turned, 60)
+            wait_for('the next session', turned)
             bus.close()
             self.assertEqual(daemon.terminate(), 0)
         for age in ('', '.1', '.2'):

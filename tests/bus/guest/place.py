@@ -21,5 +21,8 @@ class Place:
         self.frame_to_sound = here(f'{build}/tests/bus/frame_to_sound')
         self.plc = here(f'{build}/tests/bus/plc')
 
+    def programs(self):
+        return [self.rigsoundd, self.rigsound, self.period_clock, self.frame_to_sound, self.plc]
+
 
 PLACE = Place(*sys.argv[1:4])

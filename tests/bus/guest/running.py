@@ -7,7 +7,10 @@ import subprocess
 import time
 
 
-def wait_for(what, ready, limit_s=30):
+PATIENCE_S = 300  # of the guest's time, which runs away while it waits for a page from the host
+
+
+def wait_for(what, ready, limit_s=PATIENCE_S):
     """Polls until `ready()` is true; `what` names it when it never is."""
     end = time.monotonic() + limit_s
     while True:
@@ -61,7 +64,7 @@ class Daemon:
     def signal(self, name):
         return next(s for s in self.status()['signals'] if s['name'] == name)
 
-    def wait_signal(self, name, value=None, validity='valid', limit_s=30):
+    def wait_signal(self, name, value=None, validity='valid', limit_s=PATIENCE_S):
         def there():
             s = self.signal(name)
             return s['validity'] == validity and (value is None or abs(s['value'] - value) < 1e-3)
@@ -73,4 +76,4 @@ class Daemon:
     def terminate(self):
         """SIGTERM; returns the exit code."""
         self.process.send_signal(signal.SIGTERM)
-        return self.process.wait(timeout=30)
+        return self.process.wait(timeout=PATIENCE_S)

@@ -5,9 +5,13 @@ Without TEST all but `soak_tests`, which takes too long for every day.
 import sys
 import unittest
 
+from place import PLACE
+from read_ahead import read_ahead
+
 MODULES = ['sound_tests', 'can_tests', 'modbus_tests', 'log_tests', 'life_tests']
 
 if __name__ == '__main__':
+    read_ahead(PLACE.programs(), [PLACE.sounds, f'{PLACE.project}/config'])
     chosen = sys.argv[4:] or MODULES
     result = unittest.TextTestRunner(stream=sys.stdout, verbosity=2).run(
         unittest.defaultTestLoader.loadTestsFromNames(chosen))

@@ -12,6 +12,10 @@
 #include "rigsound/can/frame.hpp"
 #include "rigsound/can/signal_layout.hpp"
 
+namespace rigsound {
+class Complaints;
+}
+
 namespace rigsound::can {
 
 class CanPort;
@@ -69,6 +73,7 @@ class CanBus {
   CanListener& listener_;
   std::unique_ptr<CanPort> port_;
   std::unique_ptr<CanLink> link_;
+  std::unique_ptr<Complaints> complaints_;
   std::vector<Arrival> batch_;
   std::string last_problem_;
   int pause_ms_;

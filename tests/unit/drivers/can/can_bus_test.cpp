@@ -133,6 +133,15 @@ TEST_CASE("Data and error frames are told apart in order, drops are counted over
   CHECK(c.dropped == 22);  // 11 on each of two sockets
 }
 
+TEST_CASE("A controller that reports its trouble again and again is told once a second at most") {
+  Setup s;
+  s.script.frames.assign(200, error(CAN_ERR_CRTL, CAN_ERR_CRTL_TX_PASSIVE));
+  s.script.answers = {200, 200, 200};
+  s.steps(4);
+  CHECK(s.story.told.size() == 2);
+  CHECK(s.bus->counters().error_frames == 600);
+}
+
 TEST_CASE("Bus-off takes the bus down once, with the mend, until the controller restarts") {
   Setup s;
   s.script.answers = {1, 1, 1};
