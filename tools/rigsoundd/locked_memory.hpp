@@ -5,8 +5,8 @@
 
 namespace rigsound::daemon {
 
-/// Brings in and locks what is there, code included, and what will come. Returns "locked", or why not. Thread: CT, before
-/// other threads start.
+/// Brings in and locks what is there, code included, and what will come. Returns "locked", or why not.
+/// Thread: CT, before other threads start.
 std::string lock_memory();
 
 }  // namespace rigsound::daemon
