@@ -41,6 +41,7 @@ void set_on(int fd, int level, int name, const CanBusOptions& options) {
 // An interface that is down can be bound all the same; saying so here gives the user the mend.
 int index_of_running(int fd, const std::string& interface) {
   ifreq request{};
+  if (interface.size() >= IFNAMSIZ) fail(interface, "does not exist");
   interface.copy(request.ifr_name, IFNAMSIZ - 1);
   if (::ioctl(fd, SIOCGIFINDEX, &request) != 0) fail(interface, "does not exist");
   const int index = request.ifr_ifindex;

@@ -16,7 +16,9 @@ ControlClient::ControlClient(const std::string& socket)
     : socket_(socket), fd_(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
-  socket.copy(address.sun_path, sizeof address.sun_path - 1);
+  if (socket.size() >= sizeof address.sun_path)
+    throw DeviceError(socket + ": the path is too long for a socket");
+  socket.copy(address.sun_path, socket.size());
   if (::connect(fd_.get(), reinterpret_cast<sockaddr*>(&address), sizeof address) != 0)
     throw DeviceError(socket + ": no rigsoundd answers there: " + std::strerror(errno));
 }
