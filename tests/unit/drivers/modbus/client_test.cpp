@@ -4,11 +4,13 @@
 #include <doctest/doctest.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
+#include <termios.h>
 
 #include <cmath>
 #include <cstring>
 
 #include "drivers/modbus/link_harness.hpp"
+#include "drivers/modbus/serial_line.hpp"
 #include "rigsound/file/file_descriptor.hpp"
 
 using namespace rigsound;
@@ -119,4 +121,29 @@ TEST_CASE("A device that is not there is told once") {
   for (int i = 0; i < 4; ++i) client.step();
   CHECK(told.notices() == 1);
   CHECK(told.ups() == 0);
+}
+
+TEST_CASE("On a serial line, answers to what was asked before the link was made are not taken for answers") {
+  SerialLine line;
+  ModbusOptions options = asking(0);
+  options.transport = Transport::kRtu;
+  options.address = line.device();
+  options.routes.resize(1);
+  options.timeout_s = 60;
+  const FileDescriptor opened_before(::open(options.address.c_str(), O_RDWR | O_NOCTTY));
+  termios raw{};
+  ::tcgetattr(opened_before.get(), &raw);
+  ::cfmakeraw(&raw);
+  REQUIRE(::tcsetattr(opened_before.get(), TCSANOW, &raw) == 0);
+  line.say(with_checksum({1, 3, 2, 0, 77}));
+  Told told;
+  Client client(options, told);
+  const Running running(client);
+  const Bytes question = with_checksum({1, 3, 0, 0, 0, 1});
+  REQUIRE(line.hear(question.size()) == question);
+  line.say(with_checksum({1, 3, 2, 3, 87}));
+  await([&] { return told.total() >= 1; });
+  CHECK(told.of(Signal::kFeedPressureBar).value == doctest::Approx(85.5));
+  CHECK(told.downs() == 0);
+  line.cut();
 }

@@ -2,40 +2,19 @@
 #include "modbus/rtu_server.hpp"
 
 #include <doctest/doctest.h>
-#include <fcntl.h>
-#include <poll.h>
-#include <stdlib.h>
-#include <termios.h>
-#include <unistd.h>
 
 #include "drivers/modbus/link_harness.hpp"
-#include "rigsound/file/file_descriptor.hpp"
+#include "drivers/modbus/serial_line.hpp"
 
 using namespace rigsound;
 using namespace rigsound::modbus;
 
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
-
-// CRC-16/MODBUS: polynomial 0xA001 reflected, start 0xFFFF, low byte first on the line.
-Bytes with_checksum(Bytes frame) {
-  unsigned crc = 0xffff;
-  for (const std::uint8_t byte : frame) {
-    crc ^= byte;
-    for (int bit = 0; bit < 8; ++bit) crc = (crc & 1) != 0 ? crc >> 1 ^ 0xa001 : crc >> 1;
-  }
-  frame.push_back(static_cast<std::uint8_t>(crc & 0xff));
-  frame.push_back(static_cast<std::uint8_t>(crc >> 8));
-  return frame;
-}
-
-struct Line {
-  Line() : master(::posix_openpt(O_RDWR | O_NOCTTY)) {
-    REQUIRE(::grantpt(master.get()) == 0);
-    REQUIRE(::unlockpt(master.get()) == 0);
+struct Line : SerialLine {
+  Line() {
     options.transport = Transport::kRtu;
-    options.address = ::ptsname(master.get());
+    options.address = device();
     options.unit = 17;
     options.routes = {route(Signal::kFeedPressureBar, Table::kHolding, 0)};
     server = std::make_unique<RtuServer>(options, told);
@@ -43,23 +22,6 @@ struct Line {
     running = std::make_unique<Running>(*server);
   }
 
-  void say(const Bytes& bytes) {
-    REQUIRE(::write(master.get(), bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()));
-  }
-
-  Bytes hear(std::size_t count) {
-    Bytes heard;
-    while (heard.size() < count) {
-      pollfd poll{master.get(), POLLIN, 0};
-      REQUIRE(::poll(&poll, 1, 60000) == 1);
-      std::uint8_t byte = 0;
-      REQUIRE(::read(master.get(), &byte, 1) == 1);
-      heard.push_back(byte);
-    }
-    return heard;
-  }
-
-  FileDescriptor master;
   ModbusOptions options;
   Told told;
   std::unique_ptr<RtuServer> server;
@@ -99,7 +61,7 @@ TEST_CASE("Other units' frames, broken checksums and refused values change nothi
 
 TEST_CASE("A line that goes away is told, and looked for") {
   Line line;
-  line.master.reset();
+  line.cut();
   await([&] { return line.told.downs() == 1; });
   await([&] { return line.told.notices() >= 1; });
 }
