@@ -4,12 +4,9 @@
 
 #include <cmath>
 
-#include "background_model/likeness.hpp"
-#include "background_model/order_analysis.hpp"
+#include "background_model/compared_cycles.hpp"
 #include "background_model/order_spectrum.hpp"
-#include "background_model/section.hpp"
 #include "background_model/svg_chart.hpp"
-#include "rigsound/analysis/chain.hpp"
 #include "rigsound/file/atomic_file.hpp"
 
 namespace rigsound::analysis {
@@ -18,24 +15,6 @@ namespace {
 constexpr double kWidth = 620, kHeight = 300, kHighest_hz = 10000;
 constexpr int kSpectrumCycles = 8, kPlayedCycles = 120;
 constexpr const char *kRecorded = "#1f4e8c", *kModelled = "#c8501e", *kOrders = "#9bbf9b";
-
-/// The model at one of its points, in cycles that begin where the point's do.
-CyclicSound played(const BackgroundModel& model, const BackgroundPoint& point) {
-  const double f0 = point.rpm / 120;
-  const auto samples = static_cast<std::size_t>((kPlayedCycles + 2) / f0 * kAnalysisRate);
-  const std::vector<float> y =
-      play_background(model, std::vector<double>(samples, point.rpm), point.load, 0, 1);
-  Section s;
-  s.x.assign(y.begin(), y.end());
-  for (std::size_t n = 0; n < y.size(); ++n) s.theta.push_back(f0 * static_cast<double>(n) / kAnalysisRate);
-  Orders known;
-  for (const std::complex<float> c : point.C) known.C.emplace_back(c);
-  known.noise.assign(known.C.size(), 0.0);
-  const CycleBlock first = cycles_of(s, s.x, 0, model.N_theta);
-  const int last = static_cast<int>(std::min<std::size_t>(known.C.size(), 300));
-  const double shift = crank_shift(known, orders_of(first, 0, first.cycles, last));
-  return {cycles_of(s, s.x, shift, model.N_theta).y, model.N_theta, f0};
-}
 
 ChartLine spectrum(const CyclicSound& s, const char* colour) {
   const std::vector<double> power = order_spectrum(s.y, s.N, kSpectrumCycles);
@@ -116,18 +95,9 @@ void write_background_plot(const std::filesystem::path& file, const std::vector<
   for (std::size_t i = 0; i < model.points.size(); ++i, top += kHeight) {
     const BackgroundPoint& point = model.points[i];
     CyclicSound recorded;
-    if (i < sections.size()) {
-      const CycleBlock raw = cycles_of(sections[i], sections[i].x, 0, model.N_theta);
-      Orders known;
-      for (const std::complex<float> c : point.C) known.C.emplace_back(c);
-      known.noise.assign(known.C.size(), 0.0);
-      const double shift = crank_shift(
-          known, orders_of(raw, 0, raw.cycles, static_cast<int>(std::min<std::size_t>(known.C.size(), 300))));
-      recorded = {cycles_of(sections[i], sections[i].x, shift, model.N_theta).y, model.N_theta,
-                  sections[i].f0()};
-    }
+    if (i < sections.size()) recorded = recorded_cycles(sections[i], point, model.N_theta);
     const CyclicSound* known = recorded.y.empty() ? nullptr : &recorded;
-    const CyclicSound modelled = played(model, point);
+    const CyclicSound modelled = played_cycles(model, point, kPlayedCycles, 1);
     body += svg_of(spectrum_chart(point, known, modelled), 0, top, kWidth, kHeight);
     body += svg_of(envelope_chart(known, modelled), kWidth, top, kWidth, kHeight);
   }

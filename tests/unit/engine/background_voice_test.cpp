@@ -5,13 +5,11 @@
 #include <vector>
 
 #include "background/background_layer.hpp"
-#include "background/crank.hpp"
-#include "background/rpm_tracker.hpp"
 #include "background/slot_source.hpp"
 #include "background/wavelet_tree.hpp"
 #include "engine/allocation_guard.hpp"
+#include "engine/background_measures.hpp"
 #include "rigsound/default_background.hpp"
-#include "rigsound/dsp/interpolation_kernel.hpp"
 #include "rigsound/dsp/linear_prediction.hpp"
 
 using namespace rigsound;
@@ -177,64 +175,17 @@ TEST_CASE("two points join in the order domain: level geometric, phase along the
               .scale(0.02));
 }
 
-TEST_CASE("resampling through a ramp of 600 to 2400 r/min in 2 s") {
-  constexpr int N = 1024;
-  const dsp::InterpolationKernel kernel(16, 256, 8);
-  std::vector<double> engine_like(N, 0.0), white(N, 0.0);
-  const auto phase = [](int k) { return 1.7 * k * k; };
-  for (int k = 1; k <= N / 4; ++k)
-    for (int n = 0; n < N; ++n) {
-      const double c = std::cos(2 * M_PI * (k * n % N) / N + phase(k));
-      white[static_cast<std::size_t>(n)] += c;
-      engine_like[static_cast<std::size_t>(n)] += c * std::pow(k, -1.5);  // -9 dB an octave
-    }
-  Crank crank;
-  AngleSpan span;
-  double error[2] = {}, total[2] = {};
-  double angle = 0;
-  for (int chunk = 0; chunk < 3000; chunk += 15) {
-    const double f = (600 + 0.6 * chunk) / 120;
-    crank.turn(f, f, kRate);
-    crank.span(N, span);
-    for (std::size_t n = 0; n < kChunk; ++n) {
-      double w[16], got[2] = {}, want[2] = {};
-      kernel.weights(span.fraction[n], w);
-      for (int k = 0; k < 16; ++k) {
-        const auto i = static_cast<std::size_t>((span.base + span.offset[n] + kernel.first() + k + N) % N);
-        got[0] += w[k] * white[i], got[1] += w[k] * engine_like[i];
-      }
-      for (int k = 1; k <= N / 4; ++k) {
-        const double c = std::cos(2 * M_PI * k * angle + phase(k));
-        want[0] += c, want[1] += c * std::pow(k, -1.5);
-      }
-      for (int i = 0; i < 2; ++i) error[i] += std::pow(got[i] - want[i], 2), total[i] += want[i] * want[i];
-      angle += f / kRate;
-    }
-  }
-  CHECK(10 * std::log10(error[0] / total[0]) <= -85);
-  CHECK(10 * std::log10(error[1] / total[1]) <= -105);
+TEST_CASE("resampling through a ramp of 600 to 2400 r/min") {
+  const tests::ResamplingError error = tests::resampling_error();
+  CHECK(error.white_db <= -85);
+  CHECK(error.engine_like_db <= -105);
 }
 
 TEST_CASE("rpm tracker on 20 ms messages: a ramp of 900 r/min a second, steps of 0.125") {
-  RpmTracker tracker;
-  const auto truth = [](double t) { return t < 2 ? 600.0 : t < 4 ? 600 + 900 * (t - 2) : 2400.0; };
-  double ramp = 0, settled = 0, overshoot = 0;
-  int ramps = 0, settles = 0;
-  double next = 0.02, sent = 0.02;
-  for (double t = 0; t < 8; t += 1e-3) {
-    if (t >= next + 0.002) {  // 2 ms on the bus
-      tracker.message(t, std::round(truth(sent) * 8) / 8);
-      next += 0.02, sent = next;
-    }
-    if (t < 1) continue;
-    const double cents = 1200 * std::log2(tracker.at(t) / truth(t));
-    if (t > 2.2 && t < 4) ramp += cents * cents, ++ramps;
-    if (t > 5) settled += cents * cents, ++settles;
-    if (t > 4) overshoot = std::max(overshoot, cents);
-  }
-  CHECK(std::sqrt(settled / settles) <= 1);
-  CHECK(std::sqrt(ramp / ramps) <= 8);
-  CHECK(overshoot <= 20);
+  const tests::TrackerError error = tests::tracker_error();
+  CHECK(error.settled_cents <= 1);
+  CHECK(error.ramp_cents <= 8);
+  CHECK(error.overshoot_cents <= 20);
 }
 
 TEST_CASE("an all-pole body keeps its response at another sampling rate") {

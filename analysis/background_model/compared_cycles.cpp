@@ -1,0 +1,43 @@
+#include "background_model/compared_cycles.hpp"
+
+#include <algorithm>
+
+#include "background_model/order_analysis.hpp"
+#include "rigsound/analysis/background.hpp"
+#include "rigsound/analysis/chain.hpp"
+
+namespace rigsound::analysis {
+namespace {
+
+constexpr std::size_t kTurningOrders = 300;  // more than enough to tell the crank angle
+
+CyclicSound turned(const Section& section, const BackgroundPoint& point, int N) {
+  Orders known;
+  for (const std::complex<float> c : point.C) known.C.emplace_back(c);
+  known.noise.assign(known.C.size(), 0.0);
+  const CycleBlock raw = cycles_of(section, section.x, 0, N);
+  const int last = static_cast<int>(std::min(known.C.size(), kTurningOrders));
+  const double shift = crank_shift(known, orders_of(raw, 0, raw.cycles, last));
+  return {cycles_of(section, section.x, shift, N).y, N, section.f0()};
+}
+
+}  // namespace
+
+CyclicSound recorded_cycles(const Section& section, const BackgroundPoint& point, int N) {
+  return turned(section, point, N);
+}
+
+CyclicSound played_cycles(const BackgroundModel& model, const BackgroundPoint& point, int cycles,
+                          unsigned seed) {
+  const double f0 = point.rpm / 120;
+  const auto samples = static_cast<std::size_t>((cycles + 2) / f0 * kAnalysisRate);
+  const std::vector<float> y =
+      play_background(model, std::vector<double>(samples, point.rpm), point.load, 0, seed);
+  Section section;
+  section.x.assign(y.begin(), y.end());
+  for (std::size_t n = 0; n < y.size(); ++n)
+    section.theta.push_back(f0 * static_cast<double>(n) / kAnalysisRate);
+  return turned(section, point, model.N_theta);
+}
+
+}  // namespace rigsound::analysis

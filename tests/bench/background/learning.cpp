@@ -1,0 +1,30 @@
+#include "background/learning.hpp"
+
+#include <fmt/format.h>
+
+namespace rigsound::bench {
+
+using namespace rigsound::analysis;
+
+EngineTake simulated_take(const std::vector<double>& rpm, unsigned seed) {
+  EngineRun run;
+  run.rpm = rpm, run.seed = seed;
+  const EngineRecording recording = simulate_engine(run);
+  EngineTake take;
+  take.source = fmt::format("simulated {:.0f}", rpm.front());
+  take.mono.assign(recording.sound.begin(), recording.sound.end());
+  take.rpm = rpm.front();
+  if (rpm.front() != rpm.back()) take.rpm_log = rpm;
+  return take;
+}
+
+EngineTake steady_take(double rpm, double seconds, unsigned seed) {
+  return simulated_take(steady_rpm(rpm, seconds), seed);
+}
+
+Section section_of(const EngineTake& take) {
+  std::vector<std::string> warnings;
+  return sections_of({take}, warnings).front();
+}
+
+}  // namespace rigsound::bench

@@ -1,0 +1,143 @@
+// The simulated diesel, whose truth is known at every speed: what happens between and beyond the banks.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "background/learning.hpp"
+#include "background/source_point.hpp"
+#include "background/table.hpp"
+#include "background_model/compared_cycles.hpp"
+#include "background_model/order_analysis.hpp"
+#include "rigsound/analysis/chain.hpp"
+#include "rigsound/dsp/fft.hpp"
+
+namespace rigsound::bench {
+namespace {
+
+using namespace rigsound::analysis;
+
+constexpr double kBank_s = 30;
+constexpr double kHighest_hz = 9000;
+constexpr int kTruthSeed = 100;
+
+std::vector<EngineTake> banks(const std::vector<double>& speeds) {
+  std::vector<EngineTake> takes;
+  for (std::size_t i = 0; i < speeds.size(); ++i)
+    takes.push_back(steady_take(speeds[i], kBank_s, static_cast<unsigned>(i + 1)));
+  return takes;
+}
+
+BackgroundModel learned(const std::vector<EngineTake>& takes) {
+  BackgroundSettings settings;
+  settings.name = "simulated";
+  return learn_background(takes, settings).model;
+}
+
+/// Third-octave powers of every 100 ms, half overlapped: frames x bands.
+std::vector<double> third_octave_frames(const std::vector<double>& x) {
+  constexpr int kFrame = 4800, kFft = 8192;
+  const dsp::Fft<double> fft(kFft);
+  std::vector<double> powers;
+  for (std::size_t at = 0; at + kFrame <= x.size(); at += kFrame / 2) {
+    std::vector<double> re(kFft, 0.0), im(kFft, 0.0);
+    for (std::size_t i = 0; i < kFrame; ++i)
+      re[i] = x[at + i] * (0.5 - 0.5 * std::cos(2 * M_PI * static_cast<double>(i) / kFrame));
+    fft.forward(re.data(), im.data());
+    for (double centre = 50; centre < kHighest_hz; centre *= std::cbrt(2.0)) {
+      const auto bin = [&](double f) { return static_cast<std::size_t>(f / kAnalysisRate * kFft + 0.5); };
+      double power = 1e-12;
+      for (std::size_t b = bin(centre / std::pow(2, 1.0 / 6)); b < bin(centre * std::pow(2, 1.0 / 6)); ++b)
+        power += re[b] * re[b] + im[b] * im[b];
+      powers.push_back(power);
+    }
+  }
+  return powers;
+}
+
+double distance_db(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  const std::size_t count = std::min(a.size(), b.size());
+  for (std::size_t i = 0; i < count; ++i) sum += std::pow(10 * std::log10(a[i] / b[i]), 2);
+  return std::sqrt(sum / static_cast<double>(count));
+}
+
+std::vector<double> run_up() {
+  std::vector<double> rpm = steady_rpm(600, 1);
+  for (const double v : ramp_rpm(600, 2400, 2)) rpm.push_back(v);
+  for (const double v : steady_rpm(2400, 1)) rpm.push_back(v);
+  return rpm;
+}
+
+std::vector<double> true_run_up(int seed) {
+  EngineRun run;
+  run.rpm = run_up(), run.seed = static_cast<std::uint64_t>(seed);
+  return third_octave_frames(simulate_engine(run).sound);
+}
+
+void ramp_rows(Table& table) {
+  std::vector<double> truth;
+  for (int seed = kTruthSeed; seed < kTruthSeed + 3; ++seed) {
+    const std::vector<double> one = true_run_up(seed);
+    truth.resize(one.size());
+    for (std::size_t i = 0; i < one.size(); ++i) truth[i] += one[i] / 3;
+  }
+  const std::vector<float> y = play_background(learned(banks({600, 1200, 2400})), run_up(), 0, 0, 1);
+  table.at_most("600 -> 2400 r/min in 2 s, banks at 600, 1200, 2400", 2.0,
+                distance_db(third_octave_frames({y.begin(), y.end()}), truth), "dB");
+  table.note("  the same machine once more (floor)", distance_db(true_run_up(kTruthSeed + 3), truth), "dB");
+}
+
+/// Third-octave error of `model` at a speed no bank has.
+double error_at(const BackgroundModel& model, double rpm) {
+  BackgroundPoint here = model.points.front();
+  here.rpm = rpm;
+  const CyclicSound played = played_cycles(model, here, 100, 1);
+  const CyclicSound truth =
+      recorded_cycles(section_of(steady_take(rpm, kBank_s, kTruthSeed)), here, model.N_theta);
+  return likeness(played, truth, kHighest_hz).third_octave_db;
+}
+
+/// The body from a run-up, the engine from one bank.
+void one_bank_rows(Table& table) {
+  std::vector<EngineTake> takes = {steady_take(1200, kBank_s, 1)};
+  takes.push_back(simulated_take(ramp_rpm(700, 2200, 30), 2));
+  BackgroundModel model = learned(takes);
+  model.points.resize(1);
+  table.at_most("one bank at 1200 r/min, played at 960", 2.0, error_at(model, 960), "dB");
+  table.at_most("one bank at 1200 r/min, played at 1440", 2.0, error_at(model, 1440), "dB");
+}
+
+/// rms error of the orders that rise over the noise, 30 ... 2400 Hz.
+double order_error(const BackgroundModel& model, double rpm) {
+  const Section s = section_of(steady_take(rpm, kBank_s, kTruthSeed + 5));
+  const CycleBlock block = cycles_of(s, s.x, 0, model.N_theta);
+  const int last = static_cast<int>(2400 / s.f0());
+  const Orders truth = orders_of(block, 0, block.cycles, last);
+  const background::SourcePoint source = background::source_at(model, rpm, 0);
+  double sum = 0;
+  int count = 0;
+  for (int k = 1; k <= last; ++k) {
+    const auto i = static_cast<std::size_t>(k - 1);
+    const double power = std::norm(truth.C[i]), f = k * s.f0();
+    if (f < 30 || power < 10 * truth.noise[i] || i >= source.level.size()) continue;
+    const double db = source.level[i] * 20 / std::log(10) + background::body_db(model.E, f);
+    sum += std::pow(db - 10 * std::log10(power - truth.noise[i]), 2), ++count;
+  }
+  return std::sqrt(sum / count);
+}
+
+void order_rows(Table& table) {
+  const BackgroundModel model = learned(banks({800, 1200, 1800}));
+  table.at_most("orders midway between banks at 800 and 1200 r/min", 3.0, order_error(model, 1000), "dB");
+  table.at_most("orders midway between banks at 1200 and 1800 r/min", 3.0, order_error(model, 1500), "dB");
+}
+
+}  // namespace
+
+void simulator_rows(Table& table) {
+  ramp_rows(table);
+  one_bank_rows(table);
+  order_rows(table);
+}
+
+}  // namespace rigsound::bench
