@@ -6,6 +6,7 @@
 #include "background_model/body_fit.hpp"
 #include "background_model/low_analysis.hpp"
 #include "background_model/order_analysis.hpp"
+#include "background_model/phase_advance.hpp"
 #include "background_model/section.hpp"
 #include "background_model/slot_analysis.hpp"
 #include "dsp/butterworth.hpp"
@@ -21,6 +22,7 @@ constexpr double kSlot_s = 0.0022;
 constexpr double kBelowCrossover = 0.7;  // high-pass of the analysis; the voice has its own at f_x
 constexpr int kWindowCycles = 8;         // of a run-up, for the body
 constexpr double kSure = 3;              // times the noise, for a level that shapes the body
+constexpr double kHidden = 0.04;         // of its power is left of an order that chance may have made
 constexpr double kFormulaRms = 0.05;     // level the built-in hydraulics go with
 
 int power_of_two_from(double least, int low, int high) {
@@ -117,12 +119,13 @@ void take_off_orders(double f_x, Work& work) {
   for (const double v : work.residual) work.high.push_back(filter.process(v));
 }
 
-/// Orders as far as chance did not make them (Wiener's gain).
+/// Orders as far as chance did not make them (Wiener's gain). None is put out: a bank in which an order hides
+/// would silence it half the way to the next bank.
 std::vector<std::complex<float>> sure_orders(const Orders& orders) {
   std::vector<std::complex<float>> C;
   for (std::size_t k = 0; k < orders.C.size(); ++k) {
     const double power = std::norm(orders.C[k]);
-    const double gain = std::sqrt(std::max(0.0, 1 - orders.noise[k] / (power + 1e-300)));
+    const double gain = std::sqrt(std::max(kHidden, 1 - orders.noise[k] / (power + 1e-300)));
     C.emplace_back(static_cast<std::complex<float>>(gain * orders.C[k]));
   }
   return C;
@@ -167,9 +170,12 @@ LearnedPoint report_of(const Work& work) {
 void learn_noise(const BackgroundModel& model, int grains, Work& work) {
   const Section& s = *work.section;
   const std::vector<double> A(model.A.begin(), model.A.end());
-  const CycleBlock white = cycles_of(s, whitened(work.high, A), work.origin, model.N_theta);
-  learn_slots(white, model.L, work.point);
-  if (grains > 0 && s.open.empty()) learn_grains(white, grains, work.point);
+  const auto white_cycles = [&](const std::vector<double>& high) {
+    return cycles_of(s, whitened(high, A), work.origin, model.N_theta);
+  };
+  learn_slots(white_cycles(work.high), model.L, work.point);
+  if (grains > 0 && s.open.empty())
+    learn_grains(white_cycles(phase_advanced(work.high, model.f_x)), grains, work.point);
   learn_low_layer(cycles_of(s, work.residual, work.origin, model.N_theta), model.P_lo, model.N, work.point);
   gate_low_layer(s, work.residual, model.f_x, model.P_lo, work.point);
 }

@@ -21,9 +21,9 @@ struct EngineTake {
 
 struct BackgroundSettings {
   std::string name;
-  double f_x = 400;  ///< Hz, 200...800
-  int order = 64;    ///< of A(z), 32...128
-  int grains = 0;    ///< cycles kept per point for the high layer, 0: slots; clean recordings only
+  double f_x = 0;  ///< Hz, 200...800; 0: where slots or grains take over best
+  int order = 0;   ///< of A(z), 32...128; 0: by the bandwidth of the recordings
+  int grains = 0;  ///< cycles kept per point for the high layer, 0: slots; clean recordings only
 };
 
 /// What was heard of one point.
