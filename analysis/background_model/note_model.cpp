@@ -17,6 +17,7 @@
 namespace rigsound::analysis {
 namespace {
 
+constexpr int kScales = 4, kScalesKept = 3;
 constexpr int kEnergyWindow = 20;  // coefficients (section 5)
 constexpr int kFirstOrder = 10;    // of the AR filters, in the second subband (section 5)
 constexpr double kHighest_hz = 10000;
@@ -139,7 +140,9 @@ std::vector<float> back_in_time(const std::vector<double>& y, const NotePitch& p
 }  // namespace
 
 NoteModel model_note(const std::string& source, const std::vector<float>& mono,
-                     const NoteSettings& settings) {
+                     const NoteSettings& wanted) {
+  NoteSettings settings = wanted;
+  if (settings.N == 0) settings.N = settings.keep_harmonics ? kScalesKept : kScales;
   const std::vector<double> x(mono.begin(), mono.end());
   const NotePitch pitch = pitch_of(source, x);
   NoteModel model;

@@ -20,7 +20,9 @@ class AngleRing {
   }
 
   void read(std::int64_t first, int count, double* out) const noexcept {  ///< Thread: RT
-    for (int i = 0; i < count; ++i) out[i] = samples_[static_cast<std::size_t>((first + i) & mask_)];
+    const std::int64_t at = first & mask_, before_wrap = std::min<std::int64_t>(count, mask_ + 1 - at);
+    std::copy_n(samples_.begin() + at, before_wrap, out);
+    std::copy_n(samples_.begin(), count - before_wrap, out + before_wrap);
   }
 
  private:

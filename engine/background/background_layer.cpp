@@ -125,14 +125,17 @@ void BackgroundLayer::Voice::engine(double* out) noexcept {
   low_.ring().read(coarse_.base + kernel_.first(), coarse_count, low.data());
 
   std::array<double, kTaps> w;
+  std::array<double, kChunk> rough;
   for (std::size_t n = 0; n < kChunk; ++n) {
     kernel_.weights(fine_.fraction[n], w.data());
-    const double orders = dsp::dot(w.data(), table.data() + fine_.offset[n], kTaps);
-    const double rough =
-        over_.process(body_.process(dsp::dot(w.data(), high.data() + fine_.offset[n], kTaps)));
+    out[n] = dsp::dot(w.data(), table.data() + fine_.offset[n], kTaps);
+    rough[n] = dsp::dot(w.data(), high.data() + fine_.offset[n], kTaps);
+  }
+  body_.process(rough.data(), kChunk);
+  for (std::size_t n = 0; n < kChunk; ++n) {
     kernel_.weights(coarse_.fraction[n], w.data());
-    const double soft = under_.process(dsp::dot(w.data(), low.data() + coarse_.offset[n], kTaps));
-    out[n] = orders + soft + rough;
+    const double soft = dsp::dot(w.data(), low.data() + coarse_.offset[n], kTaps);
+    out[n] += under_.process(soft) + over_.process(rough[n]);
   }
 }
 
@@ -147,7 +150,7 @@ void BackgroundLayer::Voice::process(const BackgroundControls& controls, double*
   before_ = at_.place;
   at_ = {grid_.place(rpm, controls.load), rpm, controls.load};
   engine(out);
-  tones_.add(rpm / 120, 1, out);
+  tones_.add(rpm / 120, 1, 1, out);
   const double gain_before = load_gain_;
   load_gain_ = load_slope_db_ == 0
                    ? 1.0

@@ -26,12 +26,11 @@ std::vector<double> colour(const BackgroundModel& model, double sample_rate) {
 
 /// What white noise of unit variance becomes behind 1/A.
 double rms_of(const std::vector<double>& a) {
-  dsp::AllPole filter(a);
+  std::vector<double> response(kResponse, 0.0);
+  response[0] = 1;
+  dsp::AllPole(a).process(response.data(), kResponse);
   double energy = 0;
-  for (int n = 0; n < kResponse; ++n) {
-    const double y = filter.process(n == 0 ? 1.0 : 0.0);
-    energy += y * y;
-  }
+  for (const double y : response) energy += y * y;
   return std::sqrt(energy);
 }
 
@@ -46,14 +45,12 @@ HydraulicVoice::HydraulicVoice(const BackgroundModel& model, double sample_rate,
 
 void HydraulicVoice::add(double f, double feed, double running, double* out) noexcept {
   const double target = feed > 1e-4 ? running * dsp::pow(feed, exponent_) : 0.0;
-  const double step = (target - gain_) / kChunk;
   if (target == 0 && gain_ == 0) return;
-  pump_.add(f, target, out);
-  if (flow_ > 0)
-    for (int n = 0; n < kChunk; ++n) {
-      gain_ += step;
-      out[n] += gain_ * colour_.process(flow_ * (random_.uniform(sample_++, 0) - 0.5));
-    }
+  pump_.add(f, gain_, target, out);
+  double flow[kChunk];
+  for (double& v : flow) v = flow_ * (random_.uniform(sample_++, 0) - 0.5);
+  colour_.process(flow, kChunk);
+  for (int n = 0; n < kChunk; ++n) out[n] += (gain_ + (target - gain_) * (n + 1) / kChunk) * flow[n];
   gain_ = target;
 }
 

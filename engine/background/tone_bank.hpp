@@ -13,8 +13,9 @@ class ToneBank {
   ToneBank(const std::vector<BackgroundOscillator>& tones, double sample_rate, std::uint64_t seed,
            std::uint64_t stream);  ///< Thread: OFF
 
-  /// Adds kChunk samples to `out`. `f`: cycles a second at the chunk's middle. Thread: RT.
-  void add(double f, double gain, double* out) noexcept;
+  /// Adds kChunk samples to `out`; the gain goes linearly over them. `f`: cycles a second at the chunk's
+  /// middle. Thread: RT.
+  void add(double f, double gain_from, double gain_to, double* out) noexcept;
 
  private:
   struct Tone {

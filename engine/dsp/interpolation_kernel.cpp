@@ -42,9 +42,12 @@ void InterpolationKernel::weights(double fraction, double* w) const noexcept {
   const double* a = rows_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(taps_);
   const double* b = a + taps_;
   const Lanes alpha = {position - row, position - row};
-  for (int k = 0; k < taps_; k += 2) {
-    const Lanes low = load(a + k);
-    store(w + k, low + alpha * (load(b + k) - low));
+  for (int k = 0; k < taps_; k += 8) {
+    const Lanes a0 = load(a + k), a1 = load(a + k + 2), a2 = load(a + k + 4), a3 = load(a + k + 6);
+    store(w + k, a0 + alpha * (load(b + k) - a0));
+    store(w + k + 2, a1 + alpha * (load(b + k + 2) - a1));
+    store(w + k + 4, a2 + alpha * (load(b + k + 4) - a2));
+    store(w + k + 6, a3 + alpha * (load(b + k + 6) - a3));
   }
 }
 

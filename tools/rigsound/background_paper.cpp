@@ -16,9 +16,8 @@ void add_paper_options(CLI::App& verb, PaperOptions& o) {
   verb.add_option("--energies", o.energies, "independent: one a subband; one-over-f: two numbers a channel")
       ->check(CLI::IsMember({"independent", "one-over-f"}))
       ->group(group);
-  verb.add_option("--scales", o.note.N, "wavelet scales")
+  verb.add_option("--scales", o.note.N, "wavelet scales (default: 4, with --keep-harmonics 3)")
       ->check(CLI::Range(1, 6))
-      ->capture_default_str()
       ->group(group);
   verb.add_flag("--keep-harmonics", o.note.keep_harmonics, "harmonics keep their coefficients")->group(group);
   verb.add_flag("--colour", o.note.colour, "AR filters of order 10, 8, 6, ... from the second subband on")

@@ -7,7 +7,8 @@
 namespace rigsound::analysis {
 
 struct NoteSettings {
-  int N = 4;                    ///< wavelet scales, 1...6 (section 5: normally 4 or 5)
+  int N = 0;                    ///< wavelet scales, 1...6 (section 5: normally 4 or 5); 0: 4, but 3 with
+                                ///< kept harmonics, so that they hold twice the width around each
   bool one_over_f = false;      ///< two numbers a channel instead of an energy for every subband (section 3)
   bool keep_harmonics = false;  ///< scaling coefficients kept: the harmonics and their envelopes as they were
   bool colour = false;          ///< AR filters of order 10, 8, 6, ... from the second subband on

@@ -9,7 +9,7 @@ namespace rigsound::dsp {
 /// of the sampling rate; 32 taps with beta 10 up to 0.4 of it.
 class InterpolationKernel {
  public:
-  /// `taps`: even, 4...64. `phases`: rows of the table. `cut`: pass band relative to half the rate, 0...1.
+  /// `taps`: a multiple of 8. `phases`: rows of the table. `cut`: pass band relative to half the rate, 0...1.
   /// Thread: OFF.
   InterpolationKernel(int taps, int phases, double beta, double cut = 1.0);
 
