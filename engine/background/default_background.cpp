@@ -12,7 +12,7 @@ namespace {
 constexpr int kCylinders = 6;
 constexpr double kStrength[kCylinders] = {1.00, 0.91, 1.08, 0.96, 1.05, 0.88};  // no two cylinders are alike
 constexpr double kPulse = 11.0 / 720;  // width of a firing pulse, cycles
-constexpr double kLevel = 0.021;       // makes the idle about -26 dBFS
+constexpr double kLevel = 0.021;       // makes the idle about -30 dBFS
 
 struct Resonance {
   double f_hz, q, gain;

@@ -6,7 +6,7 @@
 namespace rigsound {
 
 /// A six-cylinder four-stroke diesel from a formula: firing pulses of slightly uneven cylinders, combustion
-/// noise in bursts after each, a body of ten resonances, a nine-piston pump. About -26 dBFS rms at idle.
+/// noise in bursts after each, a body of ten resonances, a nine-piston pump. About -30 dBFS rms at idle.
 /// Thread: OFF.
 BackgroundModel default_background();
 
