@@ -13,6 +13,7 @@ namespace {
 constexpr double kFade_s = 0.04;
 constexpr double kHandover_s = 0.3;  // before the start's end the running engine comes in
 constexpr double kTurning_rpm = 20;  // from here on somebody cranks
+constexpr double kStands_rpm = 1;
 
 std::vector<float> at_rate(const std::vector<float>& x, double from, double to) {
   if (from == to || x.empty()) return x;
@@ -41,38 +42,57 @@ StartStop::StartStop(const BackgroundModel& model, double sample_rate, double id
       stop_(at_rate(model.stop, model.sample_rate, sample_rate)),
       running_rpm_(idle_rpm / 2),
       smoothing_(dsp::exp(-kChunk / (kFade_s * sample_rate))),
+      fade_(1 / (kFade_s * sample_rate)),
       handover_(kHandover_s * sample_rate) {}
 
-void StartStop::play(const std::vector<float>& shot, Phase phase) noexcept {
+/// One chunk, fading when it was broken off.
+void StartStop::Shot::add(double fade, double* out) noexcept {
+  if (!sounds()) return;
+  const std::size_t count = std::min<std::size_t>(kChunk, samples->size() - at);
+  for (std::size_t n = 0; n < count; ++n) {
+    gain = broken_off ? std::max(0.0, gain - fade) : gain;
+    out[n] += gain * static_cast<double>((*samples)[at + n]);
+  }
+  at += count;
+  if (at == samples->size() || gain == 0) samples = nullptr;
+}
+
+void StartStop::play(const std::vector<float>& samples, Phase phase) noexcept {
+  break_off();
   phase_ = phase;
-  shot_ = shot.empty() ? nullptr : &shot;
-  at_ = 0;
+  if (!samples.empty()) shot_.samples = &samples;
+}
+
+void StartStop::break_off() noexcept {
+  if (shot_.sounds()) leaving_ = shot_, leaving_.broken_off = true;
+  shot_ = Shot();
 }
 
 double StartStop::target(double rpm) const noexcept {
   if (phase_ == Phase::kOff) return 0;
-  if (phase_ == Phase::kStopping && shot_) return 0;
-  if (phase_ == Phase::kStarting && shot_ && static_cast<double>(shot_->size() - at_) > handover_) return 0;
+  if (phase_ == Phase::kStopping && shot_.sounds()) return 0;
+  if (phase_ == Phase::kStarting && static_cast<double>(shot_.left()) > handover_) return 0;
   return std::min(1.0, rpm / running_rpm_);
 }
 
-void StartStop::advance(double rpm, double* out) noexcept {
-  if ((phase_ == Phase::kOff || phase_ == Phase::kStopping) && rpm > kTurning_rpm &&
-      (phase_ == Phase::kOff || rpm > running_rpm_))
-    play(start_, Phase::kStarting);
-  if (phase_ == Phase::kStarting && !shot_ && rpm > running_rpm_) phase_ = Phase::kRunning;
+void StartStop::follow(double rpm) noexcept {
+  const bool at_rest = phase_ == Phase::kOff && rpm > kTurning_rpm;
+  const bool again = phase_ == Phase::kStopping && rpm > running_rpm_;
+  if (at_rest || again) play(start_, Phase::kStarting);
+  if (phase_ == Phase::kStarting && !shot_.sounds() && rpm > running_rpm_) phase_ = Phase::kRunning;
+  if (phase_ == Phase::kStarting && rpm < kStands_rpm) break_off();  // it did not catch
   if (phase_ == Phase::kRunning && rpm < running_rpm_) play(stop_, Phase::kStopping);
-  if (rpm < 1 && !shot_) phase_ = Phase::kOff;
+  if (rpm < kStands_rpm && !shot_.sounds()) phase_ = Phase::kOff;
+}
 
+void StartStop::advance(double rpm, double* out) noexcept {
+  follow(rpm);
   gain_from_ = gain_to_;
   const double wanted = target(rpm);
   gain_to_ = wanted + (gain_to_ - wanted) * smoothing_;
   if (wanted == 0 && gain_to_ < 1e-5) gain_to_ = 0;
-  if (!shot_) return;
-  const std::size_t count = std::min<std::size_t>(kChunk, shot_->size() - at_);
-  for (std::size_t n = 0; n < count; ++n) out[n] += static_cast<double>((*shot_)[at_ + n]);
-  at_ += count;
-  if (at_ == shot_->size()) shot_ = nullptr;
+  shot_.add(fade_, out);
+  leaving_.add(fade_, out);
 }
 
 }  // namespace rigsound::background

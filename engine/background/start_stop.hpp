@@ -19,19 +19,31 @@ class StartStop {
 
   double gain_from() const noexcept { return gain_from_; }  ///< 0...1, linear over the chunk
   double gain_to() const noexcept { return gain_to_; }
-  bool silent() const noexcept { return gain_to_ == 0 && shot_ == nullptr; }
+  bool silent() const noexcept { return gain_to_ == 0 && !shot_.sounds() && !leaving_.sounds(); }
 
  private:
   enum class Phase { kOff, kStarting, kRunning, kStopping };
 
-  void play(const std::vector<float>& shot, Phase phase) noexcept;
+  struct Shot {
+    const std::vector<float>* samples = nullptr;
+    std::size_t at = 0;
+    double gain = 1;
+    bool broken_off = false;
+
+    bool sounds() const noexcept { return samples != nullptr; }
+    std::size_t left() const noexcept { return samples ? samples->size() - at : 0; }
+    void add(double fade, double* out) noexcept;
+  };
+
+  void play(const std::vector<float>& samples, Phase phase) noexcept;
+  void break_off() noexcept;
+  void follow(double rpm) noexcept;
   double target(double rpm) const noexcept;
 
   std::vector<float> start_, stop_;
-  double running_rpm_, smoothing_, handover_;
+  double running_rpm_, smoothing_, fade_, handover_;
   Phase phase_ = Phase::kOff;
-  const std::vector<float>* shot_ = nullptr;
-  std::size_t at_ = 0;
+  Shot shot_, leaving_;
   double gain_from_ = 0, gain_to_ = 0;
 };
 

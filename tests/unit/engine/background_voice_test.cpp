@@ -165,6 +165,27 @@ TEST_CASE("recorded start and stop play once each") {
   CHECK(sum(play(layer, {0, 0, 0}, 3)) == doctest::Approx(-1500));
 }
 
+TEST_CASE("a one-shot that is overtaken fades away") {
+  BackgroundModel model = bare(800);
+  model.start.assign(48000, 0.25F);
+  model.stop.assign(48000, -0.125F);
+  BackgroundLayer layer({model}, kRate, 1, 800);
+  const auto steps_of = [](const std::vector<double>& x) {
+    double worst = 0;
+    for (std::size_t n = 1; n < x.size(); ++n) worst = std::max(worst, std::fabs(x[n] - x[n - 1]));
+    return worst;
+  };
+  play(layer, {100, 0, 0}, 0.3);  // cranked, and it does not catch
+  const std::vector<double> gave_up = play(layer, {0, 0, 0}, 0.5);
+  CHECK(steps_of(gave_up) < 0.001);
+  CHECK(gave_up.back() == 0);
+  play(layer, {800, 0, 0}, 3);
+  play(layer, {0, 0, 0}, 0.4);  // dying, and started again
+  const std::vector<double> again = play(layer, {800, 0, 0}, 0.5);
+  CHECK(again.back() == doctest::Approx(0.25));
+  CHECK(steps_of(again) < 0.3);  // the start may begin as it likes, the stop's end is smooth
+}
+
 TEST_CASE("a wavelet tree with equal deviations is white, each scale brings its share") {
   constexpr int kChannels = 64, kFrames = 4096;
   for (int N : {1, 2, 3}) {
