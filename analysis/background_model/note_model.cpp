@@ -139,8 +139,7 @@ std::vector<float> back_in_time(const std::vector<double>& y, const NotePitch& p
 
 }  // namespace
 
-NoteModel model_note(const std::string& source, const std::vector<float>& mono,
-                     const NoteSettings& wanted) {
+NoteModel model_note(const std::string& source, const std::vector<float>& mono, const NoteSettings& wanted) {
   NoteSettings settings = wanted;
   if (settings.N == 0) settings.N = settings.keep_harmonics ? kScalesKept : kScales;
   const std::vector<double> x(mono.begin(), mono.end());

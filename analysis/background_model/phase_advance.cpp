@@ -10,7 +10,8 @@ namespace rigsound::analysis {
 
 std::vector<double> phase_advanced(const std::vector<double>& x, double f_x) {
   std::size_t size = 1;
-  while (size < x.size() + static_cast<std::size_t>(kAnalysisRate)) size *= 2;  // what is early wraps to the end
+  while (size < x.size() + static_cast<std::size_t>(kAnalysisRate))
+    size *= 2;  // what is early wraps to the end
   std::vector<double> re = x, im(size, 0.0), h(size, 0.0), h_im(size, 0.0);
   re.resize(size, 0.0);
   dsp::Butterworth6 filter(dsp::Pass::kHigh, f_x, kAnalysisRate);

@@ -29,8 +29,8 @@ EngineTake hammered(EngineTake take, double db) {
     take.blows_s.push_back(t);
     const auto start = static_cast<std::size_t>(std::ceil(t * kAnalysisRate));
     for (std::size_t n = start; n < blows.size() && n < start + 4800; ++n)
-      blows[n] += static_cast<float>(
-          draw.normal() * std::exp(-(static_cast<double>(n) / kAnalysisRate - t) / kDecay_s));
+      blows[n] += static_cast<float>(draw.normal() *
+                                     std::exp(-(static_cast<double>(n) / kAnalysisRate - t) / kDecay_s));
   }
   const double gain = std::pow(10, db / 20) * rms(take.mono) / rms(blows);
   for (std::size_t n = 0; n < blows.size(); ++n) take.mono[n] += static_cast<float>(gain) * blows[n];
@@ -51,7 +51,8 @@ double learned_error(const EngineTake& clean, const EngineTake& heard) {
 
 void blow_rows(Table& table) {
   const EngineTake clean = steady_take(kSpeed_rpm, kSeconds, 1);
-  table.at_most("learned under blows as loud as the engine", 3.0, learned_error(clean, hammered(clean, 0)), "dB");
+  table.at_most("learned under blows as loud as the engine", 3.0, learned_error(clean, hammered(clean, 0)),
+                "dB");
   table.at_most("learned under blows 6 dB louder", 5.5, learned_error(clean, hammered(clean, 6)), "dB");
   EngineTake deaf = hammered(clean, 0);
   deaf.blows_s.clear();

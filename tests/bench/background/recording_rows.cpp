@@ -77,7 +77,8 @@ double level_drift(const std::vector<float>& x) {
   std::vector<double> db;
   for (std::size_t at = 0; at + length <= x.size(); at += length) {
     double power = 0;
-    for (std::size_t n = at; n < at + length; ++n) power += static_cast<double>(x[n]) * static_cast<double>(x[n]);
+    for (std::size_t n = at; n < at + length; ++n)
+      power += static_cast<double>(x[n]) * static_cast<double>(x[n]);
     db.push_back(10 * std::log10(power));
   }
   double mean = 0, square = 0;
@@ -101,8 +102,7 @@ double model_rows(Table& table, const EngineTake& take, const BackgroundModel& m
   table.at_most("idle, " + bounds.name + ": third-octave", bounds.third_octave, l.third_octave_db, "dB");
   table.at_most("idle, " + bounds.name + ": cyclic envelope", bounds.envelope, l.cyclic_envelope_db, "dB");
   table.at_most("idle, " + bounds.name + ": modulation spectrum", bounds.modulation, l.modulation_db, "dB");
-  const CyclicSound endless =
-      played_cycles(model, point, static_cast<int>(kEndless_s * point.rpm / 120), 2);
+  const CyclicSound endless = played_cycles(model, point, static_cast<int>(kEndless_s * point.rpm / 120), 2);
   table.at_most("180 s, " + bounds.name + ": autocorrelation beyond 1 s", bounds.correlation,
                 loop_correlation(endless), "");
   const std::vector<double> steady(static_cast<std::size_t>(kEndless_s * kAnalysisRate), point.rpm);

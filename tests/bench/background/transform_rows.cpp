@@ -30,7 +30,7 @@ double reconstruction_error(const HbwtShape& shape) {
 }
 
 void reconstruction_rows(Table& table) {
-  const HbwtShape even[] = {{8, 1, 5},     {640, 1, 5},   {1024, 1, 5},  {1024, 4, 5}, {1024, 16, 5},
+  const HbwtShape even[] = {{8, 1, 5},     {640, 1, 5},   {1024, 1, 5}, {1024, 4, 5}, {1024, 16, 5},
                             {1024, 64, 5}, {4096, 16, 5}, {960, 15, 5}, {256, 256, 5}};
   const HbwtShape odd[] = {{101, 1, 5}, {367, 1, 5}, {999, 9, 5}};
   double worst_even = 0, worst_odd = 0, worst_float = 0;
