@@ -14,12 +14,9 @@ namespace {
 
 constexpr int kTaps = 1023;
 constexpr int kTail = 256;  // samples of ringing kept behind a click
-constexpr int kPasses = 1;  // the second takes away what overlap and the limits left of the first
 constexpr double kMaxDb = 12;
 constexpr int kSyntheses = 16;
 constexpr double kSynthesisSeconds = 4, kSettleSeconds = 0.5;  // before, fewer clicks ring than later on
-
-using Clicks = std::vector<std::vector<float>>;
 
 std::vector<Resynthesis> test_syntheses(const ClickBank& bank) {
   std::vector<Resynthesis> tests;
@@ -107,19 +104,14 @@ double mean_gap(const ClickBank& bank) {
 }  // namespace
 
 void equalise(ClickBank& bank, const BandLevels& target) {
-  const Clicks extracted = bank.clicks;
-  const double B = bank.B, sigma_B = bank.sigma_B;
-  std::vector<double> gains_db(target.level_db.size(), 0.0);
-  for (int pass = 0; pass < kPasses; ++pass) {
-    const BandLevels now = synthesised_levels(bank);
-    for (std::size_t b = 0; b < gains_db.size(); ++b)
-      gains_db[b] = std::clamp(gains_db[b] + target.level_db[b] - now.level_db[b], -kMaxDb, kMaxDb);
-    const Eigen::ArrayXd fir =
-        minimum_phase_fir([&](double f) { return interpolated(target.centre_hz, gains_db, f); }, kTaps);
-    bank.B = B, bank.sigma_B = sigma_B;
-    for (std::size_t i = 0; i < extracted.size(); ++i) bank.clicks[i] = filtered(extracted[i], fir);
-    renormalise(bank);
-  }
+  const BandLevels now = synthesised_levels(bank);
+  std::vector<double> gains_db;
+  for (std::size_t b = 0; b < target.level_db.size(); ++b)
+    gains_db.push_back(std::clamp(target.level_db[b] - now.level_db[b], -kMaxDb, kMaxDb));
+  const Eigen::ArrayXd fir =
+      minimum_phase_fir([&](double f) { return interpolated(target.centre_hz, gains_db, f); }, kTaps);
+  for (std::vector<float>& click : bank.clicks) click = filtered(click, fir);
+  renormalise(bank);
 }
 
 void set_level(ClickBank& bank, double power) {
