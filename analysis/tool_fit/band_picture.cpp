@@ -1,8 +1,8 @@
 #include "tool_fit/band_picture.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
-#include <unsupported/Eigen/FFT>
 
 #include "rigsound/analysis/chain.hpp"
 #include "tool_fit/blow.hpp"
@@ -12,17 +12,6 @@ namespace {
 
 constexpr std::size_t kFrame = 256, kHop = 64;  // 5.3 ms, for the decays
 constexpr double kSilence = 1e-14;
-
-std::vector<double> power_spectrum(std::vector<double> x) {
-  Eigen::FFT<double> fft;
-  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-  std::vector<std::complex<double>> X;
-  fft.fwd(X, x);
-  std::vector<double> power;
-  power.reserve(X.size());
-  for (const std::complex<double>& bin : X) power.push_back(std::norm(bin));
-  return power;
-}
 
 /// Energy of the bins around `centre`, the outermost shared with the neighbouring band.
 double band_energy(const std::vector<double>& power, double hz_a_bin, double centre) {
@@ -40,44 +29,56 @@ double band_energy(const std::vector<double>& power, double hz_a_bin, double cen
 
 double db(double energy) { return 10 * std::log10(energy + kSilence); }
 
-void add_decays(const std::vector<double>& sound, BandPicture& picture) {
-  picture.decay_db.resize(picture.centre_hz.size());
-  std::vector<std::vector<double>> energy(picture.centre_hz.size());
-  for (std::size_t start = 0; start + kFrame <= sound.size(); start += kHop) {
-    std::vector<double> frame(kFrame);
-    for (std::size_t i = 0; i < kFrame; ++i)
-      frame[i] = sound[start + i] * std::sin(M_PI * (static_cast<double>(i) + 0.5) / kFrame);
-    const std::vector<double> power = power_spectrum(std::move(frame));
-    for (std::size_t b = 0; b < energy.size(); ++b)
-      energy[b].push_back(band_energy(power, kAnalysisRate / kFrame, picture.centre_hz[b]));
-  }
-  for (std::size_t b = 0; b < energy.size(); ++b) {
-    double sum = 0;
-    std::size_t stretch = 0, frames = 0;
-    for (std::size_t i = 0; i < energy[b].size() && stretch < std::size(kStretch_s); ++i) {
-      sum += energy[b][i], ++frames;
-      const double middle = (static_cast<double>(i * kHop + kFrame / 2) - kBeforeBlow) / kAnalysisRate;
-      if (middle < kStretch_s[stretch]) continue;
-      picture.decay_db[b].push_back(db(sum / static_cast<double>(frames)));
-      sum = 0, frames = 0, ++stretch;
-    }
+}  // namespace
+
+BandCamera::BandCamera(double highest_hz) {
+  for (double centre = 125; centre * std::pow(2, 1.0 / 6) <= highest_hz; centre *= std::pow(2, 1.0 / 3))
+    centre_hz_.push_back(centre);
+  for (std::size_t i = 0; i < kFrame; ++i)
+    window_.push_back(std::sin(M_PI * (static_cast<double>(i) + 0.5) / kFrame));
+  fft_.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+}
+
+std::vector<double> BandCamera::power_spectrum(const std::vector<double>& x) {
+  std::vector<std::complex<double>> X;
+  fft_.fwd(X, x);
+  std::vector<double> power;
+  power.reserve(X.size());
+  for (const std::complex<double>& bin : X) power.push_back(std::norm(bin));
+  return power;
+}
+
+void BandCamera::add_decays(const std::vector<double>& sound, BandPicture& picture) {
+  const std::size_t bands = centre_hz_.size();
+  picture.decay_db.resize(bands);
+  std::vector<double> sum(bands, 0.0), frame(kFrame);
+  std::size_t stretch = 0, frames = 0;
+  for (std::size_t start = 0; start + kFrame <= sound.size() && stretch < std::size(kStretch_s);
+       start += kHop) {
+    for (std::size_t i = 0; i < kFrame; ++i) frame[i] = sound[start + i] * window_[i];
+    const std::vector<double> power = power_spectrum(frame);
+    for (std::size_t b = 0; b < bands; ++b)
+      sum[b] += band_energy(power, kAnalysisRate / kFrame, centre_hz_[b]);
+    ++frames;
+    const double middle = (static_cast<double>(start + kFrame / 2) - kBeforeBlow) / kAnalysisRate;
+    if (middle < kStretch_s[stretch]) continue;
+    for (std::size_t b = 0; b < bands; ++b)
+      picture.decay_db[b].push_back(db(sum[b] / static_cast<double>(frames)));
+    std::fill(sum.begin(), sum.end(), 0.0);
+    frames = 0, ++stretch;
   }
 }
 
-}  // namespace
-
-BandPicture band_picture(const std::vector<double>& sound, double highest_hz) {
+BandPicture BandCamera::picture(const std::vector<double>& sound) {
   BandPicture picture;
   std::size_t size = 1024;
   while (size < sound.size()) size *= 2;
   std::vector<double> padded = sound;
   padded.resize(size, 0.0);
-  const std::vector<double> power = power_spectrum(std::move(padded));
-  for (double centre = 125; centre * std::pow(2, 1.0 / 6) <= highest_hz; centre *= std::pow(2, 1.0 / 3)) {
-    picture.centre_hz.push_back(centre);
+  const std::vector<double> power = power_spectrum(padded);
+  for (const double centre : centre_hz_)
     picture.level_db.push_back(
         db(band_energy(power, kAnalysisRate / static_cast<double>(size), centre) / kAnalysisRate));
-  }
   add_decays(sound, picture);
   return picture;
 }

@@ -83,17 +83,13 @@ void put_decays(const ToolModel& model, ToolDesign& design) {
 class Comparison {
  public:
   Comparison(const Blow& blow, double highest_hz)
-      : samples_(blow.sound.size()),
-        highest_hz_(highest_hz),
-        recorded_(band_picture(blow.sound, highest_hz)) {
+      : samples_(blow.sound.size()), camera_(highest_hz), recorded_(camera_.picture(blow.sound)) {
     const double loudest = *std::max_element(recorded_.level_db.begin(), recorded_.level_db.end());
     for (std::size_t b = 0; b < recorded_.level_db.size(); ++b)
       if (recorded_.level_db[b] > loudest - kAudible_db) used_.push_back(b);
   }
 
-  BandPicture picture(const ToolModel& model) const {
-    return band_picture(one_blow(model, samples_), highest_hz_);
-  }
+  BandPicture picture(const ToolModel& model) { return camera_.picture(one_blow(model, samples_)); }
 
   /// Recorded minus model per used band, without its mean.
   std::vector<double> level_difference(const BandPicture& model) const {
@@ -113,6 +109,7 @@ class Comparison {
   }
 
   const BandPicture& recorded() const { return recorded_; }
+  double centre_hz(std::size_t band) const { return camera_.centre_hz()[band]; }
   const std::vector<std::size_t>& used() const { return used_; }
 
  private:
@@ -132,14 +129,14 @@ class Comparison {
   }
 
   std::size_t samples_;
-  double highest_hz_;
+  BandCamera camera_;
   BandPicture recorded_;
   std::vector<std::size_t> used_;
 };
 
 /// Decays, mix, pulse width and high-pass: the best of searches that start from short, middle and long
 /// decays.
-void fit_decays(const Comparison& comparison, ToolModel& model) {
+void fit_decays(Comparison& comparison, ToolModel& model) {
   ToolModel trial = model;
   trial.designs = {design_tool(model, kAnalysisRate)};
   const auto cost = [&](const std::vector<double>& u) {
@@ -159,14 +156,14 @@ void fit_decays(const Comparison& comparison, ToolModel& model) {
   for (const double loss : {0.15, 0.05, 0.015, 0.004}) {
     std::vector<double> u = start;
     u[kLossT] = u[kLossL] = std::log(loss);
-    options.evaluations = 250;
+    options.evaluations = 400;
     u = nelder_mead(cost, u, options);
     if (const double c = cost(u); c < least) least = c, best = u;
   }
   for (const double shrink : {0.5, 0.25}) {
     SimplexOptions finer = options;
     for (double& step : finer.step) step *= shrink;
-    finer.evaluations = 500;
+    finer.evaluations = 1200;
     best = nelder_mead(cost, best, finer);
   }
   set(model, best);
@@ -189,7 +186,7 @@ void note_error(const Comparison& comparison, const BandPicture& model, ToolFit&
   for (std::size_t i = 0; i < difference.size(); ++i) {
     const std::size_t b = comparison.used()[i];
     const double level = recorded.level_db[b] - loudest;
-    fit.bands.push_back({recorded.centre_hz[b], level, level - difference[i]});
+    fit.bands.push_back({comparison.centre_hz(b), level, level - difference[i]});
     fit.mean_error_db += std::fabs(difference[i]) / static_cast<double>(difference.size());
     fit.worst_error_db = std::max(fit.worst_error_db, std::fabs(difference[i]));
   }
@@ -219,10 +216,10 @@ ToolFit fit_tool(const Recording& recording, const std::string& file, const Tool
   fit.length_s = static_cast<double>(blow->sound.size() - kBeforeBlow) / kAnalysisRate;
   fit.model.bar = steel_of(*blow, file, {options.length_m, options.diameter_m}, highest_hz, fit);
   require_valid(fit.model, kAnalysisRate);
-  const Comparison comparison(*blow, highest_hz);
+  Comparison comparison(*blow, highest_hz);
   fit_decays(comparison, fit.model);
   std::vector<double> centres;
-  for (const std::size_t b : comparison.used()) centres.push_back(comparison.recorded().centre_hz[b]);
+  for (const std::size_t b : comparison.used()) centres.push_back(comparison.centre_hz(b));
   fit.model.voicing.equaliser =
       fit_bells(centres, comparison.level_difference(comparison.picture(fit.model)));
   level_out(fit.model, blow->sound.size());
