@@ -90,8 +90,16 @@ void fields(Archive& a, LoopDesign& loop) {
 }
 
 template <class Archive>
+void fields(Archive& a, DesignInput& input) {
+  fields(a, input.bar);
+  a("transversal", input.transversal);
+  a("longitudinal", input.longitudinal);
+}
+
+template <class Archive>
 void fields(Archive& a, ToolDesign& design) {
   a("rate", design.sample_rate);
+  a("made_for", design.made_for);
   a("transversal", design.transversal);
   a("longitudinal", design.longitudinal);
 }

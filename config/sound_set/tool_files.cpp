@@ -1,5 +1,7 @@
 #include "rigsound/config/tool_files.hpp"
 
+#include <fstream>
+
 #include "rigsound/device_error.hpp"
 #include "rigsound/file/atomic_file.hpp"
 #include "rigsound/input_error.hpp"
@@ -9,14 +11,38 @@
 namespace rigsound::config {
 namespace fs = std::filesystem;
 
-void save_tool(const fs::path& sound_set, const ToolModel& tool) {
+namespace {
+
+std::string content_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// NAME.json.old, or the first of .old2, .old3, ... that is free: hand-made edits are never lost.
+fs::path put_aside(const fs::path& file) {
+  fs::path kept = file.string() + ".old";
+  for (int i = 2; fs::exists(kept); ++i) kept = file.string() + ".old" + std::to_string(i);
+  std::error_code error;
+  fs::copy_file(file, kept, error);
+  if (error) throw DeviceError(kept.string() + ": cannot be written: " + error.message());
+  return kept;
+}
+
+}  // namespace
+
+fs::path save_tool(const fs::path& sound_set, const ToolModel& tool) {
   const fs::path folder = sound_set / "tools";
   if (!is_name(tool.name))
     throw InputError(folder.string(), 0, tool.name, "is no tool name, " + std::string(kNameRule));
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw DeviceError(folder.string() + ": cannot be made: " + error.message());
-  write_file(folder / (tool.name + ".json"), tool_json(tool));
+  const fs::path file = folder / (tool.name + ".json");
+  const std::string text = tool_json(tool);
+  const bool differs = fs::exists(file) && content_of(file) != text;
+  const fs::path kept = differs ? put_aside(file) : fs::path();
+  write_file(file, text);
+  return kept;
 }
 
 ToolModel load_tool(const fs::path& file) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "tool/loop_response.hpp"
 
@@ -21,7 +22,44 @@ struct Condition {
     const double wanted = dsp::exp(2 * loop.N * sigma) / dsp::squared_magnitude(response(loop.allpass, p));
     R = wanted * dsp::squared_magnitude(p + dsp::Complex{f.shelf, 0}) / dsp::squared_magnitude(dc);
   }
+
+  /// The reflection that meets it beside a shelf of gain g; falls as g rises.
+  double k_with(double g, double shelf) const {
+    return std::sqrt(R / dsp::squared_magnitude(dsp::Complex{shelf, 0} + g * p));
+  }
 };
+
+constexpr double kMostReflection = 0.9999;
+
+/// Milliseconds to a tenth.
+std::string ms(double tenths) {
+  const auto whole = static_cast<long>(tenths);
+  return std::to_string(whole / 10) + "." + std::to_string(whole % 10) + " ms";
+}
+
+std::string hz(double frequency) { return std::to_string(static_cast<long>(frequency + 0.5)) + " Hz"; }
+
+/// Why no k and g grant the wish, and what they would; times rounded into the range.
+std::string refusal(LoopDesign loop, const DecayWish& wish, double sample_rate) {
+  const auto tenths = [&](double k, double g, double frequency) {
+    loop.filters.g = g;
+    return 1e4 * t60_samples(decay_rate(loop, k, dsp::kTwoPi * frequency / sample_rate)) / sample_rate;
+  };
+  const Condition low(loop, wish.low_hz, wish.low_s, sample_rate);
+  const double shelf = loop.filters.shelf, k_flat = low.k_with(1, shelf);
+  if (!(k_flat < kMostReflection))
+    return "t60: " + ms(1e4 * wish.low_s) + " at " + hz(wish.low_hz) + " is too long, expected at most " +
+           ms(std::floor(0.99 * tenths(kMostReflection, 1, wish.low_hz)));
+  double steepest = 0, flat = 1;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = 0.5 * (steepest + flat);
+    (low.k_with(middle, shelf) < kMostReflection ? flat : steepest) = middle;
+  }
+  const double shortest = std::ceil(1.01 * tenths(low.k_with(flat, shelf), flat, wish.high_hz));
+  const double longest = std::floor(0.99 * tenths(k_flat, 1, wish.high_hz));
+  return "t60: no passive loop decays like that, expected " + ms(shortest) + "..." + ms(longest) + " at " +
+         hz(wish.high_hz) + " beside " + ms(1e4 * wish.low_s) + " at " + hz(wish.low_hz);
+}
 
 }  // namespace
 
@@ -37,10 +75,8 @@ DecayGains solve_decay(const LoopDesign& loop, const DecayWish& wish, double sam
     const double r_low = low.R - mixed * low.p.re, r_high = high.R - mixed * high.p.re;
     q = (r_high - r_low) / (P_high - P_low);
     k2 = (r_low * P_high - r_high * P_low) / (a * a * (P_high - P_low));
-    if (!(q >= 0 && q <= k2 && k2 < 1))
-      throw std::invalid_argument(
-          "t60: no passive loop decays like that, expected the higher frequency to die "
-          "sooner but not too much sooner");
+    if (!(q >= 0 && q <= k2 && k2 < kMostReflection * kMostReflection))
+      throw std::invalid_argument(refusal(loop, wish, sample_rate));
   }
   return {std::sqrt(k2), std::sqrt(q / k2)};
 }

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <tuple>
 
 #include "dsp/elementary.hpp"
 #include "rigsound/tool_model.hpp"
@@ -94,12 +95,26 @@ void append_modes(std::vector<TunedMode>& modes, std::string_view family, const 
   }
 }
 
+DesignInput input_of(const ToolModel& model) { return {model.bar, model.transversal, model.longitudinal}; }
+
+auto values(const DecayWish& w) { return std::tie(w.low_hz, w.low_s, w.high_hz, w.high_s); }
+
+auto values(const Decay& d) {
+  return std::tuple_cat(std::tie(d.k_min, d.k_max, d.shelf_gain, d.shelf_hz), values(d.wish));
+}
+
 }  // namespace
+
+bool operator==(const DesignInput& a, const DesignInput& b) noexcept {
+  return a.bar.length_m == b.bar.length_m && a.bar.diameter_m == b.bar.diameter_m &&
+         values(a.transversal) == values(b.transversal) && values(a.longitudinal) == values(b.longitudinal);
+}
 
 ToolDesign design_tool(const ToolModel& model, double sample_rate) {
   require_valid(model, sample_rate);
   ToolDesign design;
   design.sample_rate = sample_rate;
+  design.made_for = input_of(model);
   if (model.kind == ToolKind::kPaper) {
     const PaperLoops& paper = model.paper;
     design.transversal = paper_loop(model.transversal, sample_rate, paper.N_T, paper.M, paper.lambda);
@@ -116,7 +131,7 @@ ToolDesign design_tool(const ToolModel& model, double sample_rate) {
 ToolDesign design_for(const ToolModel& model, double sample_rate) {
   require_valid(model, sample_rate);
   for (const ToolDesign& design : model.designs)
-    if (design.sample_rate == sample_rate) return design;
+    if (design.sample_rate == sample_rate && design.made_for == input_of(model)) return design;
   return design_tool(model, sample_rate);
 }
 

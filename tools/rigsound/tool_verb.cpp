@@ -21,6 +21,7 @@ struct ToolOptions {
   CLI::Option *length = nullptr, *diameter = nullptr;
   std::string model = "designed", name, sound_set, recording, plot;
   std::vector<double> t60_T, t60_L;
+  ToolModel tool;  ///< k_Tmin, k_Tmax, k_L, and the paper's M, lambda, N_T, N_L
   bool json = false;
 };
 
@@ -86,8 +87,9 @@ ToolModel model_of(const ToolOptions& o, nlohmann::ordered_json& json) {
     json["fit"] = fit_json(fit);
     return fit.model;
   }
-  ToolModel model;
+  ToolModel model = o.tool;
   model.bar = {o.length_m, o.diameter_m};
+  model.longitudinal.k_min = model.longitudinal.k_max;
   model.transversal.wish = wish_of(o.t60_T);
   model.longitudinal.wish = wish_of(o.t60_L);
   model.kind = o.model == "paper" ? ToolKind::kPaper : ToolKind::kDesigned;
@@ -105,7 +107,8 @@ void run(const ToolOptions& o) {
   model.designs.clear();
   if (model.kind == ToolKind::kDesigned) model.designs = {design};
   if (!o.sound_set.empty()) {
-    config::save_tool(o.sound_set, model);
+    if (const auto kept = config::save_tool(o.sound_set, model); !kept.empty())
+      fmt::print(stderr, "{} was there and differed: kept as {}\n", model.name, kept.string());
     config::SoundSetIndex index;
     index.tools = {model.name};
     config::merge_index(o.sound_set, index);
@@ -120,6 +123,20 @@ void run(const ToolOptions& o) {
   } else {
     print_modes(modes);
   }
+}
+
+/// The jackhammer paper's symbols, by its own names.
+void add_paper_symbols(CLI::App& verb, ToolModel& tool, CLI::Option* from) {
+  const auto add = [&](const char* name, auto& value, const char* text) {
+    verb.add_option(name, value, text)->capture_default_str()->excludes(from)->group("Symbols of the paper");
+  };
+  add("--k-Tmin", tool.transversal.k_min, "transversal reflection while the hammer touches");
+  add("--k-Tmax", tool.transversal.k_max, "transversal reflection of the free tool");
+  add("--k-L", tool.longitudinal.k_max, "longitudinal reflection");
+  add("--M", tool.paper.M, "sections of its allpass cascade (--model paper), 1...64");
+  add("--lambda", tool.paper.lambda, "their coefficient (--model paper)");
+  add("--N-T", tool.paper.N_T, "transversal delay (--model paper), samples");
+  add("--N-L", tool.paper.N_L, "longitudinal delay (--model paper), samples");
 }
 
 }  // namespace
@@ -144,8 +161,10 @@ void add_tool(CLI::App& app) {
   verb->add_option("--t60-longitudinal", o->t60_L, "wanted decay: LOW_HZ LOW_S HIGH_HZ HIGH_S")
       ->expected(4)
       ->excludes(from);
+  add_paper_symbols(*verb, o->tool, from);
   verb->add_option("--name", o->name, "of the tool in the sound set [steel_LENGTHxDIAMETER, mm]");
-  verb->add_option("--out", o->sound_set, "sound set to add the tool to");
+  verb->add_option("--out", o->sound_set,
+                   "sound set to add the tool to; a tool of that name that differs is kept as NAME.json.old");
   verb->add_option("--plot", o->plot, "SVG to draw: wanted and reached modes, decays");
   verb->add_flag("--json", o->json, "figures as JSON instead of CSV");
   verb->footer(

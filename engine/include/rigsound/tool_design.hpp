@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "rigsound/steel.hpp"
+
 namespace rigsound {
 
 struct ToolModel;
@@ -48,9 +50,17 @@ struct LoopDesign {
   double k_min = 0, k_max = 0;
 };
 
+/// What a design was made for. When it is no longer what the tool says, the design is out of date.
+struct DesignInput {
+  Bar bar;
+  Decay transversal, longitudinal;
+};
+bool operator==(const DesignInput& a, const DesignInput& b) noexcept;
+
 struct ToolDesign {
   double sample_rate = 0;
   LoopDesign transversal, longitudinal;
+  DesignInput made_for;
 };
 
 /// One mode below 18 kHz (or 0.41 of the sample rate) as wanted and as the loop's pole has it, both with
@@ -74,7 +84,8 @@ void require_valid(const ToolDesign& design);
 /// line that names the key, when the model makes no sense. Thread: OFF, CT.
 ToolDesign design_tool(const ToolModel& model, double sample_rate);
 
-/// The model's own design for that rate if it brings one, else a new one. Thread: OFF, CT.
+/// The model's own design for that rate if it brings one that was made for its bar and decays, else a new
+/// one. Thread: OFF, CT.
 ToolDesign design_for(const ToolModel& model, double sample_rate);
 
 /// Every mode of both families. Thread: OFF, CT.

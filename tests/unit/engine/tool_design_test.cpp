@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -74,13 +75,39 @@ TEST_CASE("two wanted decay times are met within 0.1 %, and the modes stay where
   }
 }
 
-TEST_CASE("a design made ahead of time is taken as it is, at its own rate only") {
+TEST_CASE("a wish that cannot be granted is answered with what can") {
+  ToolModel model;
+  model.transversal.wish = {460, 0.1, 5000, 0.5};
+  const std::string text = complaint(model);
+  double shortest = 0, longest = 0;
+  REQUIRE(std::sscanf(text.c_str(), "t60: no passive loop decays like that, expected %lf ms...%lf ms",
+                      &shortest, &longest) == 2);
+  CHECK(shortest < longest);
+  shortest /= 1000, longest /= 1000;
+  for (const double high_s : {shortest, longest}) {
+    model.transversal.wish.high_s = high_s;
+    CHECK(complaint(model).empty());
+  }
+  for (const double high_s : {0.9 * shortest, 1.1 * longest}) {
+    model.transversal.wish.high_s = high_s;
+    CHECK(begins_with(complaint(model), "t60: no passive loop"));
+  }
+  model.transversal.wish = {460, 30, 5000, 29};
+  CHECK(begins_with(complaint(model), "t60: 30000.0 ms at 460 Hz is too long, expected at most "));
+}
+
+TEST_CASE("a design made ahead of time is taken as it is, at its own rate and for its own bar only") {
   ToolModel model;
   ToolDesign ready = design_tool(model, 48000);
   ready.transversal.k_max = 0.88;
   model.designs = {ready};
   CHECK(design_for(model, 48000).transversal.k_max == 0.88);
   CHECK(design_for(model, 44100).transversal.k_max == 0.89);
+  ToolModel longer = model, livelier = model;
+  longer.bar.length_m = 0.51;
+  livelier.longitudinal.k_max = 0.95;
+  CHECK(design_for(longer, 48000).transversal.k_max == 0.89);
+  CHECK(design_for(livelier, 48000).longitudinal.k_max == 0.95);
   model.designs[0].transversal.N = 2;
   CHECK_THROWS_AS(design_for(model, 48000), std::invalid_argument);
 }

@@ -7,8 +7,9 @@
 
 namespace rigsound::config {
 
-/// Writes SET/tools/NAME.json, atomically. Errors: InputError, DeviceError. Thread: OFF.
-void save_tool(const std::filesystem::path& sound_set, const ToolModel& tool);
+/// Writes SET/tools/NAME.json, atomically. One that is there and differs is kept as NAME.json.old (.old2,
+/// ...), whose path is returned. Errors: InputError, DeviceError. Thread: OFF.
+std::filesystem::path save_tool(const std::filesystem::path& sound_set, const ToolModel& tool);
 
 /// Reads SET/tools/NAME.json, every value checked. Errors: InputError. Thread: OFF.
 ToolModel load_tool(const std::filesystem::path& file);
