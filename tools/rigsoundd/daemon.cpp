@@ -138,8 +138,10 @@ void Daemon::tend() {
 void Daemon::tend_session(double now_s) {
   recorder_.tend(now_s);
   if (audio_.figures().peak.load(std::memory_order_relaxed) > 0) silent_since_s_ = now_s;
-  if (!recorder_.wants_new_run(now_s - silent_since_s_ > kSilence_s)) return;
-  spdlog::info("session: {} is full, the next one begins", recorder_.options().file.string());
+  const bool other_card = recorder_.recording() && recorder_.header().format != session_header().format;
+  if (!other_card && !recorder_.wants_new_run(now_s - silent_since_s_ > kSilence_s)) return;
+  spdlog::info("session: {} {}, the next one begins", recorder_.options().file.string(),
+               other_card ? "was begun for another sample format" : "is full");
   try {
     new_run(build(loaded_.rig));
   } catch (const InputError& error) {

@@ -25,6 +25,7 @@ class Recorder {
 
   /// What the next run is rendered with; must be told before it begins.
   void expect_run(const log::SessionHeader& header) { header_ = header; }
+  const log::SessionHeader& header() const { return header_; }
 
   /// Takes what the audio thread left; at least once a second it is handed to the kernel.
   void tend(double now_s);

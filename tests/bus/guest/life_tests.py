@@ -14,7 +14,7 @@ from rigs import write_rig
 from running import PATIENCE_S, Daemon, wait_for
 from sound import PLAYBACK, PeriodClock, Recording, peak_of
 
-CARD_DRIVER = '/sys/bus/platform/drivers/snd_aloop'
+DRIVERS = '/sys/bus/platform/drivers'
 
 
 def rig(**options):
@@ -35,9 +35,10 @@ def change_speed(bus):
         time.sleep(0.006)
 
 
-def driver(action):
-    with open(f'{CARD_DRIVER}/{action}', 'w') as file:
-        file.write('snd_aloop.0')
+def driver(action, name='snd_aloop'):
+    """unbind takes the card out, bind puts it back."""
+    with open(f'{DRIVERS}/{name}/{action}', 'w') as file:
+        file.write(f'{name}.0')
 
 
 class Life(unittest.TestCase):
@@ -189,6 +190,21 @@ class Sessions(unittest.TestCase):
             recording.stop()
         for file in ('/tmp/killed.raw', '/tmp/killed.rigsession'):
             shutil.move(file, PLACE.work)
+
+    def test_a_card_of_another_format_begins_the_next(self):
+        """The session must hold what the card got, also when the card came later and is no float card."""
+        driver('unbind', 'snd_dummy')
+        path = rig(device='hw:Dummy,0', form='auto')
+        with Daemon(PLACE.rigsoundd, path, '--session', '/tmp/late.rigsession') as daemon:
+            wait_for('a session', lambda: daemon.status()['session']['recording'])
+            driver('bind', 'snd_dummy')
+            daemon.wait_playing()
+            wait_for('the next session', lambda: os.path.exists('/tmp/late.1.rigsession'))
+            wait_for('its end of the first', lambda: daemon.status()['session']['recording'])
+            self.assertEqual(daemon.terminate(), 0)
+        for file, form in (('/tmp/late.1.rigsession', b'format auto\n'), ('/tmp/late.rigsession', b'format S16\n')):
+            with open(file, 'rb') as session:
+                self.assertIn(form, session.read())
 
     def test_a_full_disk_stops_the_recording_and_nothing_else(self):
         os.makedirs('/tmp/small', exist_ok=True)
