@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <thread>
 
+#include "record/bus_news.hpp"
 #include "record/file_recorder.hpp"
-#include "record/opening.hpp"
 #include "rigsound/can/can_bus.hpp"
 #include "rigsound/log/candump_writer.hpp"
 
@@ -16,7 +16,7 @@ using LogFile = SharedFile<log::CandumpWriter>;
 class Interface : private can::CanListener {
  public:
   Interface(const can::CanOptions& options, LogFile& file)
-      : name_(options.interface),
+      : news_(options.interface),
         file_(file),
         bus_({options.interface, options.fd, true, {}}, *this),
         thread_([this] { bus_.run(stop_); }) {}
@@ -25,31 +25,25 @@ class Interface : private can::CanListener {
     thread_.join();
     const can::CanCounters c = bus_.counters();
     if (c.frames > 0)
-      fmt::print(stderr, "{}: {} frames, {} dropped by the kernel\n", name_, c.frames, c.dropped);
+      fmt::print(stderr, "{}: {} frames, {} dropped by the kernel\n", news_.bus(), c.frames, c.dropped);
   }
 
-  void require_open() { opening_.require(); }
+  void require_open() { news_.require_up(); }
 
  private:
   void frames(const can::Arrival* first, std::size_t count) override {
     file_.add([&](log::CandumpWriter& writer) {
       for (std::size_t i = 0; i < count; ++i)
-        writer.write({static_cast<std::int64_t>(first[i].realtime_s * 1e9), name_, first[i].frame});
+        writer.write({static_cast<std::int64_t>(first[i].realtime_s * 1e9), news_.bus(), first[i].frame});
       return count;
     });
   }
-  void up() override {
-    fmt::print(stderr, "{}: recording\n", name_);
-    opening_.worked();
-  }
-  void down(const std::string& why) override { fmt::print(stderr, "{}: down: {}\n", name_, why); }
-  void notice(const std::string& text) override {
-    if (!opening_.failed(text)) fmt::print(stderr, "{}\n", text);
-  }
+  void up() override { news_.up(); }
+  void down(const std::string& why) override { news_.down(why); }
+  void notice(const std::string& text) override { news_.notice(text); }
 
-  std::string name_;
+  BusNews news_;
   LogFile& file_;
-  Opening opening_;
   can::CanBus bus_;
   std::atomic<bool> stop_{false};
   std::thread thread_;  // last: it uses all of the above

@@ -1,11 +1,8 @@
-#include <fmt/format.h>
-
 #include <chrono>
-#include <cstdio>
 #include <thread>
 
+#include "record/bus_news.hpp"
 #include "record/file_recorder.hpp"
-#include "record/opening.hpp"
 #include "rigsound/log/modbus_capture_writer.hpp"
 #include "rigsound/modbus/modbus_link.hpp"
 
@@ -22,7 +19,7 @@ std::int64_t realtime_ns() {
 class Link : private modbus::ModbusListener {
  public:
   Link(const modbus::ModbusOptions& options, CaptureFile& file)
-      : name_(options.address),
+      : news_(options.address),
         file_(file),
         link_(modbus::make_modbus_link(options, *this)),
         thread_([this] { link_->run(stop_); }) {}
@@ -31,7 +28,7 @@ class Link : private modbus::ModbusListener {
     thread_.join();
   }
 
-  void require_open() { opening_.require(); }
+  void require_open() { news_.require_up(); }
 
  private:
   void readings(const std::vector<modbus::Reading>&) override {}
@@ -41,18 +38,12 @@ class Link : private modbus::ModbusListener {
       return 1;
     });
   }
-  void up() override {
-    fmt::print(stderr, "{}: recording\n", name_);
-    opening_.worked();
-  }
-  void down(const std::string& why) override { fmt::print(stderr, "{}: down: {}\n", name_, why); }
-  void notice(const std::string& text) override {
-    if (!opening_.failed(text)) fmt::print(stderr, "{}\n", text);
-  }
+  void up() override { news_.up(); }
+  void down(const std::string& why) override { news_.down(why); }
+  void notice(const std::string& text) override { news_.notice(text); }
 
-  std::string name_;
+  BusNews news_;
   CaptureFile& file_;
-  Opening opening_;
   std::unique_ptr<modbus::ModbusLink> link_;
   std::atomic<bool> stop_{false};
   std::thread thread_;  // last: it uses all of the above
