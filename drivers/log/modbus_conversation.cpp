@@ -26,8 +26,8 @@ bool take_values(const Frame& answer, bool bits, int count, std::vector<std::uin
   if (answer.size() != kMbap + 2 + bytes || answer[kMbap + 1] != bytes) return false;
   const std::uint8_t* data = answer.data() + kMbap + 2;
   for (int i = 0; i < count; ++i)
-    values.push_back(bits ? data[i / 8] >> (i % 8) & 1
-                          : static_cast<std::uint16_t>(data[2 * i] << 8 | data[2 * i + 1]));
+    values.push_back(
+        static_cast<std::uint16_t>(bits ? data[i / 8] >> (i % 8) & 1 : data[2 * i] << 8 | data[2 * i + 1]));
   return true;
 }
 

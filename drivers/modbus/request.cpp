@@ -41,7 +41,8 @@ std::optional<Refusal> parse_coils(Bytes pdu, std::size_t size, Request& r) {
   r.write = Range{word(pdu + 1), word(pdu + 3)};
   const std::size_t bytes = static_cast<std::size_t>(r.write->count + 7) / 8;
   if (!fits(*r.write, 1968) || pdu[5] != bytes || size != 6 + bytes) return Refusal::kValue;
-  for (int i = 0; i < r.write->count; ++i) r.values.push_back(pdu[6 + i / 8] >> (i % 8) & 1);
+  for (int i = 0; i < r.write->count; ++i)
+    r.values.push_back(static_cast<std::uint16_t>(pdu[6 + i / 8] >> (i % 8) & 1));
   return std::nullopt;
 }
 
