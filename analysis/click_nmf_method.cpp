@@ -37,12 +37,22 @@ void dump_look(const Dump& dump, const std::string& pass, const Eigen::ArrayXd& 
              kAnalysisRate;
   z.col(1) = candidates.z;
   dump.table(pass + "_statistic", "time_s,z", z);
-  Eigen::ArrayXXd clicks(train.P.size(), 2);
-  for (long i = 0; i < clicks.rows(); ++i) clicks.row(i) << train.P[i] / kAnalysisRate, train.beta[i];
-  dump.table(pass + "_clicks", "time_s,beta", clicks);
-  Eigen::ArrayXXd envelope(1, 4);
-  envelope << train.envelope.N_a, train.envelope.alpha_a, train.envelope.alpha_d, train.T_0;
-  dump.table(pass + "_envelope", "N_a,alpha_a,alpha_d,T_0", envelope);
+  dump.train(pass, train);
+}
+
+/// What a split would sound like, and its mean powers.
+void dump_split(const Dump& dump, const std::string& step, const Spectrogram& X, const PsdPair& psd,
+                size_t length) {
+  if (!dump) return;
+  const std::vector<float> drilling = inverse_stft(wiener(X, psd), length, kChainStft);
+  dump.signal(step + "_drilling",
+              Eigen::Map<const Eigen::ArrayXf>(drilling.data(), static_cast<long>(length)).cast<double>());
+  const MeanPsd mean = mean_over_time(psd);
+  Eigen::ArrayXXd powers(mean.S.size(), 3);
+  powers.col(0) = Eigen::ArrayXd::LinSpaced(powers.rows(), 0, kAnalysisRate / 2);
+  powers.col(1) = mean.S;
+  powers.col(2) = mean.N;
+  dump.table(step + "_powers", "frequency_hz,S,N", powers);
 }
 
 /// Steps 2 to 5: one look for clicks through the whitener that the modelled powers suggest.
@@ -101,12 +111,15 @@ ClipSplit split_by_click_nmf(const std::vector<float>& x, const ChainOptions& op
   InitialNmfOptions initial;
   initial.seed = options.seed;
   const PsdPair blind = modelled_psd(initial_nmf(power, initial), power);
+  dump_split(dump, "blind", X, blind, x.size());
   PsdPair psd = blind;
   ClipSplit split;
   for (int pass = 0; pass < kPasses; ++pass) {
-    DrillingEvidence evidence = look(x, mean_over_time(psd), fmt::format("pass{}", pass + 1), dump);
+    const std::string name = fmt::format("pass{}", pass + 1);
+    DrillingEvidence evidence = look(x, mean_over_time(psd), name, dump);
     if (evidence.clicks.P.size() >= kFewestClicks)
       psd = modelled_psd(explain(power, options_of(pass, evidence.clicks), evidence), power);
+    dump_split(dump, name, X, psd, x.size());
     split.reason = no_drilling_reason(evidence);
     split.clicks = std::move(evidence.clicks);
     if (split.clicks.P.size() < kFewestClicks) break;

@@ -32,4 +32,13 @@ void Dump::table(const std::string& name, const std::string& header, const Eigen
   write_file(folder_ / (name + ".csv"), text);
 }
 
+void Dump::train(const std::string& name, const ClickTrain& train) const {
+  Eigen::ArrayXXd clicks(train.P.size(), 2);
+  for (long i = 0; i < clicks.rows(); ++i) clicks.row(i) << train.P[i] / kAnalysisRate, train.beta[i];
+  table(name + "_clicks", "time_s,beta", clicks);
+  Eigen::ArrayXXd envelope(1, 4);
+  envelope << train.envelope.N_a, train.envelope.alpha_a, train.envelope.alpha_d, train.T_0;
+  table(name + "_envelope", "N_a,alpha_a,alpha_d,T_0", envelope);
+}
+
 }  // namespace rigsound::analysis

@@ -31,6 +31,7 @@ ClipSplit split_by_paper(const std::vector<float>& x, const ChainOptions& option
   dump.signal("denoised", Eigen::Map<const Eigen::ArrayXf>(split.drilling.data(), y.size()).cast<double>());
   dump.signal("whitened", y);
   split.clicks = paper_clicks(y);
+  dump.train("paper", split.clicks);
   // Whether there is a drill at all is a question the paper does not ask: both methods answer it alike.
   split.reason = split_by_click_nmf(x, options, Dump({})).reason;
   split.signal_psd = mean_power(split.drilling);

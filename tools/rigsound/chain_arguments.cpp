@@ -23,7 +23,9 @@ void add_chain_arguments(CLI::App& verb, ChainArguments& arguments) {
   verb.add_option("--jobs", arguments.jobs, "threads; the result does not depend on their number")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  verb.add_option("--dump", arguments.dump, "folder for the intermediate signals")->type_name("DIR");
+  verb.add_option("--dump", arguments.dump,
+                  "folder for the intermediate signals, clicks and powers of every step")
+      ->type_name("DIR");
 }
 
 Recording read_input(const ChainArguments& arguments) {

@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "analysis/noise.hpp"
+#include "rigsound/analysis/recording.hpp"
 #include "simulate/drillbench_clip.hpp"
+#include "temporary_folder.hpp"
 
 using namespace rigsound::analysis;
 
@@ -141,6 +143,22 @@ TEST_CASE("a long recording is one train, the same for any number of jobs and on
   CHECK(one.clicks.beta == three.clicks.beta);
   CHECK(one.drilling == three.drilling);
   CHECK(reports == 103);
+}
+
+TEST_CASE("a dump holds what every step made, the last one's drilling being the result") {
+  const Case c = clip(109, 6, 2);
+  const rigsound::test::TemporaryFolder folder;
+  ChainOptions options;
+  options.dump = folder.path;
+  const ChainResult result = run_chain(c.mix, options);
+  for (const char* name :
+       {"blind_drilling.wav", "blind_powers.csv", "pass1_whitened.wav", "pass1_statistic.csv",
+        "pass1_clicks.csv", "pass1_envelope.csv", "pass1_drilling.wav", "pass1_powers.csv",
+        "pass2_whitened.wav", "pass2_statistic.csv", "pass2_clicks.csv", "pass2_envelope.csv",
+        "pass2_powers.csv"})
+    CHECK_MESSAGE(std::filesystem::exists(folder.path / name), name);
+  CHECK(si_sdr(result.drilling, read_recording(folder.path / "pass2_drilling.wav").mono) > 100);
+  CHECK(si_sdr(result.drilling, read_recording(folder.path / "blind_drilling.wav").mono) < 30);
 }
 
 TEST_CASE("noise, a rotary drill, a voice and music are no drilling") {

@@ -60,15 +60,6 @@ TEST_CASE("a file that was not committed leaves the old one as it was") {
   CHECK(folder.files() == 1);
 }
 
-TEST_CASE("a folder or a device is not replaced") {
-  Folder folder;
-  fs::create_directories(folder.path / "taken.wav");
-  CHECK_THROWS_AS(write_file(folder.path / "taken.wav", "x"), DeviceError);
-  CHECK(folder.files() == 1);
-  CHECK_THROWS_AS(AtomicFile("/dev/null"), DeviceError);
-  CHECK(fs::is_character_file("/dev/null"));
-}
-
 TEST_CASE("a folder that is not there is a device error") {
   CHECK_THROWS_AS(write_file("/nonexistent/folder/a.txt", "x"), DeviceError);
 }
