@@ -15,7 +15,8 @@ struct BandPicture {
 /// Ends of the stretches after the onset, s; the last ones only where the sound is that long.
 constexpr double kStretch_s[] = {0.006, 0.012, 0.020, 0.032, 0.050, 0.080, 0.130, 0.200, 0.320, 0.500};
 
-/// Takes the pictures of one fit; made once, because what it prepares costs as much as a picture. Thread: OFF.
+/// Takes the pictures of one fit; made once, because what it prepares costs as much as a picture. Thread:
+/// OFF.
 class BandCamera {
  public:
   /// For bands up to `highest_hz`.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 #include "clicks/nelder_mead.hpp"
 #include "rigsound/analysis/chain.hpp"
@@ -78,6 +79,7 @@ void put_decays(const ToolModel& model, ToolDesign& design) {
   };
   put(model.transversal, design.transversal);
   put(model.longitudinal, design.longitudinal);
+  design.made_for = {model.bar, model.transversal, model.longitudinal};
 }
 
 class Comparison {
@@ -169,6 +171,25 @@ void fit_decays(Comparison& comparison, ToolModel& model) {
   set(model, best);
 }
 
+bool tunable(const ToolModel& model) {
+  try {
+    design_tool(model, kAnalysisRate);
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+/// A sound that does not ring ends the search at decays no loop can be tuned with; a livelier steel can.
+void make_tunable(ToolModel& model) {
+  for (int i = 0; i < 20 && !tunable(model); ++i)
+    for (Decay* decay : {&model.transversal, &model.longitudinal}) {
+      decay->shelf_gain = std::sqrt(decay->shelf_gain);
+      decay->k_max = 1 - 0.8 * (1 - decay->k_max);
+      decay->k_min = 1 - 0.8 * (1 - decay->k_min);
+    }
+}
+
 /// As loud as a blow on the default steel, whatever the fit did to mix and equaliser.
 void level_out(ToolModel& model, std::size_t samples) {
   const auto energy = [samples](const ToolModel& m) {
@@ -218,6 +239,7 @@ ToolFit fit_tool(const Recording& recording, const std::string& file, const Tool
   require_valid(fit.model, kAnalysisRate);
   Comparison comparison(*blow, highest_hz);
   fit_decays(comparison, fit.model);
+  make_tunable(fit.model);
   std::vector<double> centres;
   for (const std::size_t b : comparison.used()) centres.push_back(comparison.centre_hz(b));
   fit.model.voicing.equaliser =

@@ -79,6 +79,20 @@ std::string decay_panel(const std::vector<TunedMode>& modes, const Panel& p) {
   return svg;
 }
 
+/// Whole decades around what there is.
+Panel decay_axes(const std::vector<TunedMode>& modes) {
+  double shortest = 1e9, longest = 0;
+  for (const TunedMode& mode : modes)
+    shortest = std::min(shortest, mode.t60_s), longest = std::max(longest, mode.t60_s);
+  const double low = std::floor(std::log10(shortest)),
+               high = std::max(low + 1, std::ceil(std::log10(longest)));
+  std::vector<double> ticks;
+  for (double decade = low; decade <= high; ++decade)
+    for (const double step : {1.0, 2.0, 5.0})
+      if (step == 1 || decade < high) ticks.push_back(step * std::pow(10, decade));
+  return {350, 570, ticks.front(), ticks.back(), true, "T60 of the free tool, s", ticks};
+}
+
 std::string escaped(std::string_view text) {
   std::string safe;
   for (const char c : text) safe += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
@@ -91,9 +105,14 @@ std::string tool_plot_svg(std::string_view title, const std::vector<TunedMode>& 
   double worst = 0.1;
   for (const TunedMode& mode : modes) worst = std::max(worst, std::fabs(mode.error_cents));
   const double span = worst <= 1 ? 1 : std::ceil(worst);
-  const Panel tuning{
-      60, 280, -span, span, false, "error of each mode, cents", {-span, -span / 2, 0, span / 2, span}};
-  const Panel decay{350, 570, 0.001, 10, true, "T60 of the free tool, s", {0.001, 0.01, 0.1, 1, 10}};
+  const Panel tuning{60,
+                     280,
+                     -span,
+                     span,
+                     false,
+                     "error of each mode, cents (line: wanted, dot: reached)",
+                     {-span, -span / 2, 0, span / 2, span}};
+  const Panel decay = decay_axes(modes);
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" font-family=\"sans-serif\" "
       "font-size=\"12\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n"

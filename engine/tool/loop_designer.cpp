@@ -15,6 +15,7 @@ using dsp::kTwoPi;
 
 constexpr double kCentsPerNeper = 1200 / dsp::kLn2;
 constexpr double kHopelessCents = 8;
+constexpr double kWorstDecayShare = 0.5;  // rather than no tool at all
 constexpr double kBeside = 0.25;  // mode numbers between a mode and the points that hold its round trip
 constexpr int kFirstSteps = 60, kRefineSteps = 30, kRefinements = 4;
 
@@ -146,7 +147,7 @@ class Search {
       for (const int more : {0, 1, -1, -2})
         if (attempt(order, half_turns_ + more - order)) return best_;
     }
-    if (best_.error.cents > task_.cents_limit || best_.error.decay_share > 2 * task_.decay_share)
+    if (best_.error.cents > task_.cents_limit || best_.error.decay_share > kWorstDecayShare)
       throw std::invalid_argument("length_m: no loop of order " + std::to_string(highest_order_) +
                                   " tunes this bar, expected 0.3...1 m and 15...50 mm");
     return best_;

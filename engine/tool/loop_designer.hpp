@@ -12,8 +12,8 @@ struct LoopTask {
   double k_min = 0.83, k_max = 0.89;  ///< poles are tuned half-way between
   double cents = 0.3;                 ///< aim for the worst mode
   double cents_limit = 1.0;           ///< accepted when the aim is not reached within preferred_order
-  double decay_share = 0.03;    ///< worst deviation of a mode's T60 from that of the ideal loop; twice that
-                                ///< if no order does better (bars shorter than 0.3 m)
+  double decay_share = 0.03;    ///< worst deviation of a mode's T60 from that of the ideal loop; one half
+                                ///< if no order does better (bars below 0.3 m, T60 of a few ms)
   double beside_weight = 0.05;  ///< of the lag beside a mode, which keeps the decays even
   int lowest_order = 2, preferred_order = 30, max_order = 2 * kMaxSections;
   double spare_delay = 0.8;  ///< search starts with this share of the top round trip left to the delay line
