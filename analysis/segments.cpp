@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "clicks/gaps.hpp"
+#include "clicks/median.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -50,11 +51,6 @@ void append(const Placed& from, long begin, long end, double closest, ClickTrain
     train.P.push_back(static_cast<int>(from.P[i]));
     train.beta.push_back(from.beta[i]);
   }
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 template <class Figure>

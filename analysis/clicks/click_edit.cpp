@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "clicks/median.hpp"
 #include "clicks/shift_search.hpp"
 
 namespace rigsound::analysis {
@@ -16,12 +17,6 @@ constexpr double kTooClose = 0.28, kNegligiblePower = 0.01;
 constexpr size_t kFewestClicks = 4;
 constexpr int kAmplitudeSteps = 5;
 constexpr double kNever = 1e8;
-
-double median(const Eigen::ArrayXd& x) {
-  std::vector<double> sorted(x.begin(), x.end());
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 2), sorted.end());
-  return sorted[sorted.size() / 2];
-}
 
 Eigen::ArrayXd variance(const EnvelopePower& shape, const ModelClicks& clicks, long length) {
   Eigen::ArrayXd v;
@@ -106,7 +101,7 @@ Addition best_addition(const Eigen::ArrayXd& q, const Eigen::ArrayXd& v, const E
 void remove_weak_clicks(const Eigen::ArrayXd& q, const EnvelopePower& shape, double T_0, int block,
                         ModelClicks& clicks) {
   const Eigen::ArrayXd a2 = sampled_power(shape);
-  const double median_power = median(clicks.power);
+  const double median_power = median({clicks.power.begin(), clicks.power.end()});
   while (clicks.onset.size() > kFewestClicks) {
     const Eigen::ArrayXd v = variance(shape, clicks, q.size()), clipped = q.min(kOutlierClip * v);
     double worst = 0;
@@ -126,7 +121,7 @@ void remove_weak_clicks(const Eigen::ArrayXd& q, const EnvelopePower& shape, dou
 void add_missed_clicks(const Eigen::ArrayXd& q, const EnvelopePower& shape, double T_0, int block,
                        const std::vector<long>& candidates, ModelClicks& clicks) {
   const Eigen::ArrayXd a2 = sampled_power(shape);
-  const double median_power = median(clicks.power);
+  const double median_power = median({clicks.power.begin(), clicks.power.end()});
   Eigen::ArrayXd v = variance(shape, clicks, q.size());
   for (const long at : candidates) {
     if (static_cast<double>(distance_to_nearest(clicks.onset, at)) < 0.30 * T_0) continue;

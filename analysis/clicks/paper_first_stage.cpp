@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "clicks/integrated_energy.hpp"
+#include "clicks/median.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -30,11 +31,6 @@ std::vector<EnergyPeak> find_peaks(const Eigen::ArrayXd& e) {
     peaks[i].P_r += peaks[i].P_p;
   }
   return peaks;
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 ClickEnvelope envelope_through(const std::vector<EnergyPeak>& peaks, const Eigen::ArrayXd& nu) {

@@ -6,6 +6,7 @@
 #include "clicks/envelope.hpp"
 #include "clicks/gaps.hpp"
 #include "clicks/integrated_energy.hpp"
+#include "clicks/median.hpp"
 #include "clicks/nelder_mead.hpp"
 #include "clicks/train_power.hpp"
 
@@ -39,11 +40,6 @@ void drop_close_clicks(PaperClicks& clicks) {
     clicks.P.erase(clicks.P.begin() + weaker);
     clicks.beta.erase(clicks.beta.begin() + weaker);
   }
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 ClickEnvelope unpack(const std::vector<double>& t) { return {t[0], t[1] / t[0], t[2]}; }

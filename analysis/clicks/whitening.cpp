@@ -6,6 +6,7 @@
 #include <complex>
 
 #include "clicks/levinson.hpp"
+#include "clicks/median.hpp"
 #include "rigsound/analysis/chain.hpp"
 
 namespace rigsound::analysis {
@@ -17,12 +18,6 @@ constexpr double kEmptyBin = 1e-6;      ///< of the largest power; band-limited 
 constexpr double kLargestOverMedian = 1e4;
 constexpr double kWhiteNoise = 1e-4;  ///< correction of r_0
 constexpr double kLagWindow_hz = 60;  ///< Gaussian
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<long>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// D(f), with the bins that hold nothing set to the largest of the others.
 Eigen::ArrayXd weight(const Eigen::ArrayXd& S, const Eigen::ArrayXd& N) {
