@@ -28,9 +28,10 @@ ChartLine spectrum(const CyclicSound& s, const char* colour) {
 }
 
 Chart spectrum_chart(const BackgroundPoint& point, const CyclicSound* recorded, const CyclicSound& model) {
-  Chart chart{fmt::format("{} at {:.0f} r/min: spectrum", point.source, point.rpm),
+  Chart chart{fmt::format("{} at {:.0f} r/min: spectrum",
+                          std::filesystem::path(point.source).filename().string(), point.rpm),
               "Hz",
-              "dB",
+              "dB re full scale, 1/8 order",
               20,
               kHighest_hz,
               -120,
@@ -38,6 +39,7 @@ Chart spectrum_chart(const BackgroundPoint& point, const CyclicSound* recorded, 
               true,
               {20, 50, 100, 200, 500, 1000, 2000, 5000, 10000},
               {-120, -100, -80, -60, -40, -20},
+              {},
               {}};
   ChartLine orders{{}, {}, kOrders, 1, true};
   for (std::size_t k = 1; k <= point.C.size() && static_cast<double>(k) * model.f0 < 400; ++k) {
@@ -53,9 +55,9 @@ Chart spectrum_chart(const BackgroundPoint& point, const CyclicSound* recorded, 
 /// One curve an octave, each a step above the one before.
 Chart envelope_chart(const CyclicSound* recorded, const CyclicSound& model) {
   constexpr double kStep = 10;
-  Chart chart{"mean power over the cycle, by octave (10 dB apart)",
+  Chart chart{"mean power over the cycle in octaves from ... on; a grid step is 10 dB",
               "crank angle, degrees",
-              "dB",
+              "",
               0,
               720,
               -5,
@@ -63,11 +65,13 @@ Chart envelope_chart(const CyclicSound* recorded, const CyclicSound& model) {
               false,
               {0, 90, 180, 270, 360, 450, 540, 630, 720},
               {},
+              {},
               {}};
   const std::vector<double> edges = envelope_bands(std::min(kHighest_hz, 0.45 * model.N * model.f0));
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
     const double base = kStep * static_cast<double>(i);
     chart.y_ticks.push_back(base);
+    chart.y_names.push_back(fmt::format("{:g} Hz", edges[i]));
     chart.y_to = base + kStep;
     const auto add = [&](const CyclicSound& s, const char* colour) {
       ChartLine line{{}, {}, colour, 1.2, false};

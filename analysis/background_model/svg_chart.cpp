@@ -44,11 +44,14 @@ std::string svg_of(const Chart& chart, double left, double top, double width, do
         "<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" stroke=\"#ddd\"/><text x=\"{0:.1f}\" y=\"{3:.1f}\" "
         "text-anchor=\"middle\">{4:g}</text>\n",
         along(x), kTop, kTop + h, kTop + h + 14, x);
-  for (const double y : chart.y_ticks)
+  for (std::size_t i = 0; i < chart.y_ticks.size(); ++i) {
+    const double y = up(chart.y_ticks[i]);
     svg += fmt::format(
         "<path d=\"M{0:.1f} {1:.1f}H{2:.1f}\" stroke=\"#ddd\"/><text x=\"{3:.1f}\" y=\"{4:.1f}\" "
-        "text-anchor=\"end\">{5:g}</text>\n",
-        kLeft, up(y), kLeft + w, kLeft - 5, up(y) + 4, y);
+        "text-anchor=\"end\">{5}</text>\n",
+        kLeft, y, kLeft + w, kLeft - 5, y + 4,
+        chart.y_names.empty() ? fmt::format("{:g}", chart.y_ticks[i]) : escaped(chart.y_names[i]));
+  }
   for (const ChartLine& line : chart.lines) {
     std::string path;
     for (std::size_t i = 0; i < line.x.size(); ++i)

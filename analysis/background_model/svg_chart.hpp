@@ -18,6 +18,7 @@ struct Chart {
   double x_from = 0, x_to = 1, y_from = 0, y_to = 1;
   bool logarithmic = false;  ///< x axis
   std::vector<double> x_ticks, y_ticks;
+  std::vector<std::string> y_names;  ///< in place of the numbers of y_ticks, when there are any
   std::vector<ChartLine> lines;
 };
 

@@ -25,6 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kSlowest_rpm = 300, kFastest_rpm = 4000;  // of an engine that runs
+
 struct BackgroundOptions {
   std::vector<std::string> inputs, rpm_tracks, clicks;
   std::vector<double> rpm, load;
@@ -42,6 +44,22 @@ T nth(const std::vector<T>& list, std::size_t i, T absent) {
   return list.empty() ? absent : list[std::min(i, list.size() - 1)];
 }
 
+/// A track that ends long before its recording, or names speeds no engine has, is the wrong file.
+std::vector<double> speed_log(const std::string& file, std::size_t samples) {
+  constexpr double kMissing_s = 1;
+  const analysis::TimeTable table = analysis::read_time_table(file, "rpm");
+  const double seconds = static_cast<double>(samples) / analysis::kAnalysisRate;
+  if (table.time_s.front() > kMissing_s || table.time_s.back() < seconds - kMissing_s)
+    throw InputError(file, fmt::format("covers {:.1f}...{:.1f} s, expected all of the recording's {:.1f} s",
+                                       table.time_s.front(), table.time_s.back(), seconds));
+  for (std::size_t row = 0; row < table.value.size(); ++row)
+    if (!(table.value[row] >= kSlowest_rpm && table.value[row] <= kFastest_rpm))
+      throw InputError(file, 0, "rpm",
+                       fmt::format("is {:g} at {:g} s, expected {:.0f}...{:.0f} r/min", table.value[row],
+                                   table.time_s[row], kSlowest_rpm, kFastest_rpm));
+  return analysis::at_every_sample(table, samples);
+}
+
 std::vector<analysis::EngineTake> takes_of(const BackgroundOptions& o) {
   std::vector<analysis::EngineTake> takes;
   for (std::size_t i = 0; i < o.inputs.size(); ++i) {
@@ -53,8 +71,7 @@ std::vector<analysis::EngineTake> takes_of(const BackgroundOptions& o) {
     if (o.rpm_tracks.empty())
       take.rpm = nth(o.rpm, i, 0.0);
     else
-      take.rpm_log = at_every_sample(analysis::read_time_table(nth(o.rpm_tracks, i, std::string()), "rpm"),
-                                     take.mono.size());
+      take.rpm_log = speed_log(nth(o.rpm_tracks, i, std::string()), take.mono.size());
     take.load = nth(o.load, i, 0.0);
     if (!o.clicks.empty())
       take.blows_s = analysis::read_time_table(nth(o.clicks, i, std::string()), "amplitude").time_s;

@@ -42,7 +42,8 @@ Rig load_rig(const std::filesystem::path& file);
 /// The same from text; `file` is for messages and for paths relative to its folder.
 Rig parse_rig(std::string_view text, const std::filesystem::path& file);
 
-/// Reads the rig's sound set at the rig's rate and finds the steel of each boom in it.
+/// Reads the rig's sound set at the rig's rate and finds the steel of each boom in it. A set without a
+/// background gets the built-in diesel: a rig whose engine runs is never silent.
 /// Errors: InputError, also when the rig names no sound set. Thread: OFF.
 SoundSet load_sounds(Rig& rig);
 
