@@ -1,0 +1,68 @@
+// Learning an engine, against the simulated diesel whose crank and body are known.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "background_model/crank_tracker.hpp"
+#include "background_model/phase_advance.hpp"
+#include "dsp/butterworth.hpp"
+#include "rigsound/analysis/background.hpp"
+#include "rigsound/analysis/chain.hpp"
+#include "rigsound/input_error.hpp"
+#include "simulate/engine_recording.hpp"
+#include "simulate/split_mix.hpp"
+
+using namespace rigsound;
+using namespace rigsound::analysis;
+
+namespace {
+
+EngineRecording engine_at(double rpm, double seconds) {
+  EngineRun run;
+  run.rpm = steady_rpm(rpm, seconds);
+  return simulate_engine(run);
+}
+
+EngineTake take_of(const std::vector<double>& x, double rpm) {
+  EngineTake take;
+  take.source = "take.wav", take.mono.assign(x.begin(), x.end()), take.rpm = rpm;
+  return take;
+}
+
+void check_refused(const EngineTake& take, const char* word) {
+  BackgroundSettings settings;
+  settings.name = "engine";
+  CHECK_THROWS_WITH_AS(learn_background({take}, settings), doctest::Contains(word), InputError);
+}
+
+}  // namespace
+
+TEST_CASE("the crank angle of a simulated diesel is found to a degree") {
+  const EngineRecording truth = engine_at(1200, 8);
+  const CrankTrack track = track_steady(truth.sound, 1200);
+  REQUIRE(track.theta.size() > 300000);
+  double mean = 0, square = 0;
+  for (std::size_t n = 0; n < track.theta.size(); ++n) {
+    const double away = track.theta[n] - truth.theta[track.first + n];
+    mean += away / static_cast<double>(track.theta.size());
+    square += away * away / static_cast<double>(track.theta.size());
+  }
+  CHECK(720 * std::sqrt(square - mean * mean) < 1);
+}
+
+TEST_CASE("what cannot be an engine at that speed is refused") {
+  const EngineRecording engine = engine_at(1200, 4);
+  check_refused(take_of(engine.sound, 1270), "within 3 %");
+  check_refused(take_of({engine.sound.begin(), engine.sound.begin() + 72000}, 1200), "20");
+  SplitMix draw(1);
+  check_refused(take_of(draw.normals(192000), 1200), "take.wav");
+}
+
+TEST_CASE("a phase that was advanced comes out of the crossover's high-pass in place") {
+  std::vector<double> x(48000, 0.0);
+  x[20000] = 1;
+  x = phase_advanced(x, 300);
+  dsp::Butterworth6 filter(dsp::Pass::kHigh, 300, kAnalysisRate);
+  for (double& v : x) v = filter.process(v);
+  for (std::size_t lag = 1; lag < 2000; ++lag) CHECK(std::fabs(x[20000 + lag] - x[20000 - lag]) < 1e-6);
+}
