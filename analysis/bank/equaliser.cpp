@@ -97,8 +97,7 @@ double coherence(const ClickBank& bank) {
 
 /// Samples from one click to the next, missed and double strikes counted in.
 double mean_gap(const ClickBank& bank) {
-  constexpr double kMissed = 1, kDouble = -0.55;  // what they add to a gap, periods (granular.md, step 9)
-  return bank.T_0 * (1 + kMissed * bank.p_miss + kDouble * bank.p_double);
+  return bank.T_0 * (1 + (kMissGap - 1) * bank.p_miss + (kDoubleGap - 1) * bank.p_double);
 }
 
 }  // namespace

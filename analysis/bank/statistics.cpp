@@ -8,7 +8,6 @@ namespace {
 
 constexpr double kShortest = 0.6, kLongest = 1.5;  // of the median: what counts as one plain gap
 constexpr double kWholeSlack = 0.25;  // of the median: two parts of one gap add up to it within this
-constexpr double kDoubleGap = 0.45;   // the share of a gap the engine leaves before a double strike
 constexpr double kSteady = 0.002;     // sigma_T / T_0 below which only rounding is left to correlate
 constexpr double kMaxCorrelation = 0.9;
 

@@ -13,7 +13,7 @@
 namespace rigsound::drill {
 
 /// Plays a click for each impact: at random one of those that have rested, so never the same twice in a row
-/// (step 9 of the design) and all about equally often; at the impact's rounded onset, with the impact's
+/// and all about equally often; at the impact's rounded onset, with the impact's
 /// amplitude times the bank's B.
 class ClickPlayer {
  public:

@@ -7,8 +7,6 @@ namespace {
 
 enum Field : std::uint64_t { kGapNormal = 0, kAmplitudeNormal = 2, kMissOrDouble = 4 };
 
-// A double strike comes after this share of the period (granular.md, step 9).
-constexpr double kDoubleGap = 0.45;
 // Two blows of one piston are never closer than this share of the period.
 constexpr double kShortestGap = 0.1;
 
@@ -62,7 +60,7 @@ double ImpactTrain::draw_gap(const Statistics& s) noexcept {
   double gap = lognormal(s.cv_T, z_gap_);
   const double u = random_.uniform(index_, kMissOrDouble);
   if (u < s.p_miss)
-    gap *= 2;
+    gap *= kMissGap;
   else if (u < s.p_miss + s.p_double)
     gap *= kDoubleGap;
   return std::max(gap, kShortestGap);

@@ -6,6 +6,10 @@
 
 namespace rigsound {
 
+/// Where a strike is missing the gap is this many times as long; a double strike comes after this share of
+/// one.
+constexpr double kMissGap = 2, kDoubleGap = 0.45;
+
 /// Result of the drilling paper's analysis (section 3), errata corrected. Times are in samples at
 /// `sample_rate`, amplitudes are L2 norms in the recording's units (full scale = 1).
 struct ClickBank {
@@ -15,8 +19,8 @@ struct ClickBank {
   double T_0 = 0;       ///< mean gap between clicks, samples (section 3.7)
   double sigma_T = 0;   ///< its standard deviation, samples
   double r_T = 0;       ///< lag-1 correlation of the gaps, -0.9...0.9
-  double p_miss = 0;    ///< share of gaps in which a strike is missing (gap doubled)
-  double p_double = 0;  ///< share of gaps cut short by a double strike
+  double p_miss = 0;    ///< share of gaps in which a strike is missing (kMissGap)
+  double p_double = 0;  ///< share of gaps cut short by a double strike (kDoubleGap)
 
   double B = 1;        ///< mean L2 norm of the clicks
   double sigma_B = 0;  ///< its standard deviation
