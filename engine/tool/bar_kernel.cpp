@@ -16,12 +16,14 @@ LaneWidth widest_lanes() noexcept {
   return LaneWidth::kTwo;
 }
 
-BarKernel section_kernel(const int (&vectors)[2], [[maybe_unused]] LaneWidth width) noexcept {
+BarKernel section_kernel(const Seats (&seats)[2], [[maybe_unused]] LaneWidth width) noexcept {
 #ifdef RIGSOUND_AVX2
-  if (width == LaneWidth::kFour) return section_kernel_four(vectors[kTransversal]);
+  if (width == LaneWidth::kFour) return section_kernel_four(seats);
 #endif
-  return vectors[kLongitudinal] == 1 ? sections_with<1>(vectors[kTransversal], SectionCounts{})
-                                     : sections_with<2>(vectors[kTransversal], SectionCounts{});
+  const int vectors_T = seats[kTransversal].vectors;
+  if (seats[kLongitudinal].base == 0) return sections_with<0>(vectors_T, SectionCounts{});
+  return seats[kLongitudinal].vectors == 1 ? sections_with<1>(vectors_T, SectionCounts{})
+                                           : sections_with<2>(vectors_T, SectionCounts{});
 }
 
 BarKernel paper_kernel(int vectors, [[maybe_unused]] LaneWidth width) noexcept {
@@ -37,7 +39,7 @@ void run_paper_in_sequence(BarState& state, const BarDrive& drive, double* out) 
   double* y_1 = state.paper.y[0];
   for (int i = 0; i < drive.frames; ++i, taps.advance()) {
     double u = taps.T[0][kTransversal], u_1 = taps.T[-1][kTransversal];
-    for (int j = 0; j < state.vectors[kTransversal]; ++j) {
+    for (int j = 0; j < state.seats[kTransversal].vectors; ++j) {
       const double y = state.paper.lambda * (u - y_1[j]) + u_1;
       u_1 = y_1[j];
       y_1[j] = u = y;

@@ -15,14 +15,14 @@ LaneWidth widest_lanes() noexcept;
 /// One chunk: drive.frames samples to `out`, mixed and high-passed. Thread: RT.
 using BarKernel = void (*)(BarState& state, const BarDrive& drive, double* out) noexcept;
 
-/// The kernel for that many vectors of each family; `vectors` must fit kLanes. Thread: RT.
-BarKernel section_kernel(const int (&vectors)[2], LaneWidth width) noexcept;
+/// The kernel for families that sit there; they must fit kLanes. Thread: RT.
+BarKernel section_kernel(const Seats (&seats)[2], LaneWidth width) noexcept;
 
 /// The kernel for that many vectors of the paper's identical sections, within kPaperLanes. Thread: RT.
 BarKernel paper_kernel(int vectors, LaneWidth width) noexcept;
 
 /// The paper's cascade when its delay line is shorter than the skew: one section after another, in the
-/// lanes from 0 up; vectors[kTransversal] counts sections.
+/// lanes from 0 up; the transversal seats count sections.
 void run_paper_in_sequence(BarState& state, const BarDrive& drive, double* out) noexcept;
 
 }  // namespace rigsound::tool

@@ -5,7 +5,7 @@
 
 namespace rigsound::tool {
 
-BarKernel section_kernel_four(int vectors_T) noexcept;
+BarKernel section_kernel_four(const Seats (&seats)[2]) noexcept;
 BarKernel paper_kernel_four(int vectors) noexcept;
 
 }  // namespace rigsound::tool

@@ -39,11 +39,29 @@ inline V shifted(V v) {
 #endif
 }
 
+/// The same where lane 0 belongs to the other family: nothing passes from it into lane 1.
+inline V shifted_apart(V v) {
+#if RIGSOUND_LANES == 4
+  return __builtin_shufflevector(v, V{}, 7, 7, 1, 2);
+#else
+  return __builtin_shufflevector(v, V{}, 3, 3);
+#endif
+}
+
 inline V everywhere(double x) {
 #if RIGSOUND_LANES == 4
   return V{x, x, x, x};
 #else
   return V{x, x};
+#endif
+}
+
+/// `low` in lane 0, `rest` in the others.
+inline V joined(V low, V rest) {
+#if RIGSOUND_LANES == 4
+  return __builtin_shufflevector(low, rest, 0, 5, 6, 7);
+#else
+  return __builtin_shufflevector(low, rest, 0, 3);
 #endif
 }
 
@@ -105,7 +123,8 @@ struct Taps {
   double (*T)[2], (*L)[2];  ///< what enters the cascades
 };
 
-/// NT vectors of transversal sections, then NL of longitudinal ones.
+/// NT vectors of transversal sections, then NL of longitudinal ones; with NL = 0 these sit in lane 0 of the
+/// same vectors.
 template <int NT, int NL>
 void run_sections(BarState& state, const BarDrive& drive, double* out) noexcept {
   constexpr int N = NT + NL;
@@ -120,13 +139,16 @@ void run_sections(BarState& state, const BarDrive& drive, double* out) noexcept 
   for (int j = 0; j < N; ++j) {
     const int family = j < NT ? kTransversal : kLongitudinal, vector = j < NT ? j : j - NT;
     entry[j] = vector < W ? load<Bits>(state.entry[family][vector]) : Bits{};
+    if (NL == 0 && vector < W) entry[j] |= load<Bits>(state.entry[kLongitudinal][vector]);
   }
   Glue glue(state, drive);
   Taps taps(state);
   const int frames = drive.frames;
   for (int i = 0; i < frames; ++i, taps.advance()) {
-    const V from_T = everywhere((*taps.T)[kTransversal]), from_L = everywhere((*taps.L)[kLongitudinal]);
-    V before = shifted(y[NT - 1]);
+    const V from_L = everywhere((*taps.L)[kLongitudinal]);
+    const V from_T =
+        NL == 0 ? joined(from_L, everywhere((*taps.T)[kTransversal])) : everywhere((*taps.T)[kTransversal]);
+    V before = NL == 0 ? shifted_apart(y[NT - 1]) : shifted(y[NT - 1]);
 #pragma GCC unroll 24
     for (int j = 0; j < N; ++j) {
       if (j == NT) before = shifted(y[N - 1]);
@@ -139,7 +161,7 @@ void run_sections(BarState& state, const BarDrive& drive, double* out) noexcept 
       x1[j] = m - x1[j];
       x2[j] = x2[j] + m;
     }
-    out[i] = glue.close(i, V2{y[NT - 1][W - 1], y[N - 1][W - 1]}, taps.now);
+    out[i] = glue.close(i, V2{y[NT - 1][W - 1], y[N - 1][NL == 0 ? 0 : W - 1]}, taps.now);
   }
   glue.keep(state, frames);
   for (int j = 0; j < N; ++j) {

@@ -13,15 +13,18 @@ constexpr double kNearSilent = 1e-9;  // output above which its energy need not 
 
 int vectors_for(int lanes, int width) noexcept { return (lanes + width - 1) / width; }
 
+int stages_of(const LoopDesign& loop) noexcept { return std::max(1, loop.allpass.stages()); }
+
 }  // namespace
 
 BarLoops::BarLoops(const ToolDesign& design, double highpass_hz, LaneWidth width) noexcept {
   if (design.transversal.allpass.first_orders > 1) {
     place_paper_loops(design, width);
   } else {
+    seat(stages_of(design.transversal), stages_of(design.longitudinal), static_cast<int>(width));
     place_sections(design.transversal, kTransversal, static_cast<int>(width));
     place_sections(design.longitudinal, kLongitudinal, static_cast<int>(width));
-    kernel_ = section_kernel(state_.vectors, width);
+    kernel_ = section_kernel(state_.seats, width);
   }
   const double t = std::sqrt(3.0) * dsp::tan(dsp::kPi * highpass_hz / design.sample_rate);
   state_.hp_p = (1 - t) / (1 + t);
@@ -30,27 +33,39 @@ BarLoops::BarLoops(const ToolDesign& design, double highpass_hz, LaneWidth width
   state_.line_end = reach(state_) + kLineSlack;
 }
 
-void BarLoops::enter(Family family, int section, int vectors) noexcept {
-  state_.entry[family][section % vectors][section / vectors] = ~std::uint64_t{0};
+void BarLoops::enter(Family family, int slot) noexcept {
+  const int vectors = state_.seats[family].vectors;
+  state_.entry[family][slot % vectors][slot / vectors] = ~std::uint64_t{0};
+}
+
+/// Together where that takes fewer vectors, else one family after the other.
+void BarLoops::seat(int stages_T, int stages_L, int width) noexcept {
+  const int own_T = vectors_for(stages_T, width), own_L = vectors_for(stages_L, width);
+  const int together = std::max(stages_L, vectors_for(stages_T, width - 1));
+  if (together < own_T + own_L && together <= width) {
+    state_.seats[kTransversal] = {0, together, width * together};
+    state_.seats[kLongitudinal] = {0, together, together};
+  } else {
+    state_.seats[kTransversal] = {0, own_T, width * own_T};
+    state_.seats[kLongitudinal] = {own_T, own_L, width * own_L};
+  }
 }
 
 void BarLoops::place_sections(const LoopDesign& loop, Family family, int width) noexcept {
   const Allpass& allpass = loop.allpass;
-  const int stages = std::max(1, allpass.stages()), vectors = vectors_for(stages, width);
-  const int base = family == kLongitudinal ? state_.vectors[kTransversal] : 0;
-  const int idle = width * vectors - stages;
-  const auto place = [&](int section, double b, double c) {
-    set_section(state_.sections, lane_of(section, base, vectors, width), b, c);
+  const Seats& seats = state_.seats[family];
+  const int stages = stages_of(loop), idle = seats.end - stages;
+  const auto place = [&](int slot, double b, double c) {
+    set_section(state_.sections, seats.lane(slot, width), b, c);
   };
-  for (int i = 0; i < width * vectors; ++i) place(i, 0, 0);
+  for (int i = 0; i < seats.end; ++i) place(i, 0, 0);
   for (int i = 0; i < allpass.sections; ++i) {
     const auto [b, c] = allpass.section[static_cast<std::size_t>(i)];
     place(idle + i, b, c);
   }
   if (allpass.first_orders) place(idle + allpass.sections, allpass.a, 0);
-  enter(family, idle, vectors);
-  state_.vectors[family] = vectors;
-  state_.last[family] = width * (base + vectors) - 1;
+  enter(family, idle);
+  state_.last[family] = seats.lane(seats.end - 1, width);
   state_.delay[family] = loop.N - (stages - 1);
   place_filters(loop, family, allpass.first_orders ? -1 : 1);
 }
@@ -64,14 +79,14 @@ void BarLoops::place_paper_loops(const ToolDesign& design, LaneWidth width) noex
   state_.delay[kLongitudinal] = design.longitudinal.N;
   if (N_T < M) {
     kernel_ = run_paper_in_sequence;
-    state_.vectors[kTransversal] = M;
+    state_.seats[kTransversal] = {0, M, M};
     state_.last[kTransversal] = M - 1;
     state_.delay[kTransversal] = N_T;
   } else {
     const int vectors = vectors_for(M, w);
     kernel_ = paper_kernel(vectors, width);
-    enter(kTransversal, w * vectors - M, vectors);
-    state_.vectors[kTransversal] = vectors;
+    state_.seats[kTransversal] = {0, vectors, w * vectors};
+    enter(kTransversal, w * vectors - M);
     state_.last[kTransversal] = w * vectors - 1;
     state_.delay[kTransversal] = N_T - (M - 1);
   }

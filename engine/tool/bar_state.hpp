@@ -37,11 +37,23 @@ struct PaperLanes {
   alignas(32) double y[2][kPaperLanes];
 };
 
-/// Plain arrays: the kernels' source files must not instantiate anything the linker could merge.
+/// Where a family sits among the lanes, W to a vector: slot s of its V vectors is vector s % V, lane s / V,
+/// so that all but one vector in V get their input from the vector before without moving lanes. Its sections
+/// end at slot `end`; slots before the first one idle at zero.
 ///
-/// Lanes of a family with V vectors of W lanes: section s sits in vector s % V, lane s / V, so that all but
-/// one vector in V get their input from the vector before without moving lanes. Sections end at the last
-/// lane of the last vector; lanes before the first section idle at zero.
+/// A longitudinal family whose few sections fit into the lanes the transversal one leaves idle has no vectors
+/// of its own: it takes lane 0 of the same ones (base 0, end V), the transversal family the lanes above.
+struct Seats {
+  int base;     ///< first vector
+  int vectors;  ///< V
+  int end;      ///< in slots
+
+  constexpr int lane(int slot, int width) const noexcept {
+    return width * (base + slot % vectors) + slot / vectors;
+  }
+};
+
+/// Plain arrays: the kernels' source files must not instantiate anything the linker could merge.
 struct BarState {
   SectionLanes sections;
   PaperLanes paper;
@@ -63,7 +75,7 @@ struct BarState {
   // Where each family's first section sits among its first vectors: all bits set in that lane only, so that
   // an OR drops the delay line's sample among the idle lanes.
   alignas(32) std::uint64_t entry[2][4][4];
-  int vectors[2];  ///< of the lane width in use, per family
+  Seats seats[2];  ///< of the lane width in use, per family
   int last[2];     ///< lane whose output leaves the cascade
 };
 
@@ -75,11 +87,6 @@ struct BarDrive {
   const double* k[2] = {};    ///< reflection of each family, |k| <= 1
   const double* mix[2] = {};  ///< weight of each family
 };
-
-/// Index in the lanes of section `section` of a family with `vectors` vectors, the first of which is `base`.
-constexpr int lane_of(int section, int base, int vectors, int width) noexcept {
-  return width * (base + section % vectors) + section / vectors;
-}
 
 /// Gain of a DC blocker with this pole that makes it 1 at half the sample rate, and passive.
 constexpr double dc_gain(double dc_r) noexcept { return (1 + dc_r) / 2; }

@@ -15,15 +15,14 @@ enum class Stretch { kFullReflections, kAnyReflections, kAnySections };
 /// Where a family's designed sections sit in the lanes, and what they were designed to be.
 struct Placed {
   const Allpass& allpass;
-  int first, base, vectors, width;
+  Seats seats;
+  int width;
 
-  int lane(int section) const { return lane_of(first + section, base, vectors, width); }
+  int lane(int section) const { return seats.lane(seats.end - allpass.stages() + section, width); }
 };
 
 Placed placed(const Allpass& allpass, const BarState& state, Family family, LaneWidth lanes) {
-  const int width = static_cast<int>(lanes), vectors = state.vectors[family];
-  const int base = family == kLongitudinal ? state.vectors[kTransversal] : 0;
-  return {allpass, width * vectors - allpass.stages(), base, vectors, width};
+  return {allpass, state.seats[family], static_cast<int>(lanes)};
 }
 
 void redraw(const Placed& at, SectionLanes& lanes, const dsp::RandomField& random, std::uint64_t sample,
