@@ -46,15 +46,29 @@ void warn_of_clipping(const EngineTake& take, std::vector<std::string>& warnings
         fmt::format("{}: {:.1f} % of the samples are clipped, expected below 1 %", take.source, 100 * share));
 }
 
-CrankTrack track_of(const EngineTake& take, const std::vector<double>& x) {
+/// Two turns of the crank are a cycle: half or twice the speed is the usual slip, and sounds nearly right.
+void warn_of_octave(const EngineTake& take, const Repetition& found, std::vector<std::string>& warnings) {
+  constexpr double kClearly = 0.85;  // of what a cycle does not repeat is left
+  if (1 - found.two < kClearly * (1 - found.one))
+    warnings.push_back(fmt::format("{}: repeats better at {:.0f} r/min, half of the speed given", take.source,
+                                   found.rpm / 2));
+  else if (found.half >= found.one)
+    warnings.push_back(fmt::format("{}: repeats as well at {:.0f} r/min, twice the speed given", take.source,
+                                   2 * found.rpm));
+}
+
+CrankTrack track_of(const EngineTake& take, const std::vector<double>& x,
+                    std::vector<std::string>& warnings) {
   if (!take.rpm_log.empty()) return track_logged(x, take.rpm_log);
-  const double found = repeating_rpm(x, take.rpm);
+  const Repetition repetition = repetition_near(x, take.rpm);
+  const double found = repetition.rpm;
   if (found == 0)
     throw InputError(take.source, fmt::format("does not repeat with any speed near {:.0f} r/min", take.rpm));
   if (std::fabs(found / take.rpm - 1) > kTolerance)
     throw InputError(take.source, 0, "rpm",
                      fmt::format("is {:.0f}, but the recording repeats at {:.0f} r/min, expected within 3 %",
                                  take.rpm, found));
+  warn_of_octave(take, repetition, warnings);
   return track_steady(x, found);
 }
 
@@ -108,7 +122,7 @@ std::vector<Section> sections_of(const std::vector<EngineTake>& takes, std::vect
     const EngineTake& take = takes[i];
     warn_of_clipping(take, warnings);
     const std::vector<double> x(take.mono.begin(), take.mono.end());
-    const CrankTrack track = track_of(take, x);
+    const CrankTrack track = track_of(take, x, warnings);
     require_tracked(take, track, warnings);
     const std::vector<char> open = open_samples(take);
     const std::vector<std::size_t> ends = cuts(take, track.theta);
