@@ -185,4 +185,10 @@ std::vector<double> ramp_rpm(double from, double to, double seconds) {
   return rpm;
 }
 
+std::vector<double> glide_rpm(double from, double to, double seconds) {
+  std::vector<double> rpm = ramp_rpm(std::log(from), std::log(to), seconds);
+  for (double& r : rpm) r = std::exp(r);
+  return rpm;
+}
+
 }  // namespace rigsound::analysis

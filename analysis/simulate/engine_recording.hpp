@@ -27,8 +27,10 @@ EngineRecording simulate_engine(const EngineRun& run);
 /// The body's true magnitude response, dB. Thread: OFF.
 double simulated_body_db(double f_hz);
 
-/// `seconds` at one speed, and a straight ramp. r/min at every sample. Thread: OFF.
+/// `seconds` at one speed, a straight ramp, and a glide that spends the same time in every octave. r/min at
+/// every sample. Thread: OFF.
 std::vector<double> steady_rpm(double rpm, double seconds);
 std::vector<double> ramp_rpm(double from, double to, double seconds);
+std::vector<double> glide_rpm(double from, double to, double seconds);
 
 }  // namespace rigsound::analysis

@@ -10,6 +10,7 @@
 #include "rigsound/device_error.hpp"
 #include "rigsound/input_error.hpp"
 #include "simulate/drillbench_clip.hpp"
+#include "simulate/engine_files.hpp"
 #include "simulate/truth_files.hpp"
 
 namespace rigsound::analysis {
@@ -19,7 +20,6 @@ namespace {
 
 constexpr int kRate = static_cast<int>(kAnalysisRate);
 constexpr double kBenchGain = 0.05;  // RMS 1 would clip: one gain for all, ratios stay
-constexpr double kSweepSeconds = 30;
 
 void make_folder(const fs::path& folder) {
   std::error_code error;
@@ -71,10 +71,7 @@ std::vector<std::string> write_situations(const fs::path& folder, std::uint64_t 
   std::vector<std::string> lines;
   for (int i = 0; i < kSituationCount; ++i)
     lines.push_back(write_situation(folder, simulate_situation(static_cast<Situation>(i), seed, seconds)));
-  std::vector<double> rpm;
-  write_wave(folder / "engine" / "sweep.wav", simulate_engine_sweep(seed, kSweepSeconds, rpm), kRate);
-  write_rpm_csv(folder / "engine" / "sweep_rpm.csv", rpm);
-  lines.push_back(fmt::format("engine/sweep.wav rpm={:.0f}..{:.0f}", rpm.front(), rpm.back()));
+  for (std::string& line : write_engine(folder, {seed})) lines.push_back(std::move(line));
   return lines;
 }
 

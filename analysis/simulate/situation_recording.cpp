@@ -10,9 +10,8 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr double kNormalRms = 0.04;       // full scale = 1; leaves room for a burst 12 dB louder
-constexpr double kBackgroundRms = 0.016;  // 8 dB under normal drilling
-constexpr double kIdleRpm = 600, kTopRpm = 2400;
+constexpr double kNormalRms = 0.04;        // full scale = 1; leaves room for a burst 12 dB louder
+constexpr double kBackgroundRms = 0.016;   // 8 dB under normal drilling
 constexpr std::uint64_t kMachine = 77001;  // seeds of what belongs to the machine, not to the recording
 
 /// A stream of its own for every purpose of every recording.
@@ -91,16 +90,6 @@ SituationRecording simulate_situation(Situation situation, std::uint64_t seed, d
       background_noise(BackgroundScene::ramp(seconds, how.rpm * 0.97, how.rpm * 1.03), machine, noise);
   scale(recording.background, kBackgroundRms);
   return recording;
-}
-
-std::vector<double> simulate_engine_sweep(std::uint64_t seed, double seconds, std::vector<double>& rpm) {
-  const BackgroundScene scene = BackgroundScene::ramp(seconds, kIdleRpm, kTopRpm);
-  SplitMix machine(kMachine + 1), noise(dsp::mix64(seed) + kMachine);
-  std::vector<double> sound = background_noise(scene, machine, noise);
-  scale(sound, kBackgroundRms);
-  rpm.clear();
-  for (const double cycles : scene.cycles_hz) rpm.push_back(cycles * 120);
-  return sound;
 }
 
 }  // namespace rigsound::analysis

@@ -29,7 +29,4 @@ struct SituationRecording {
 /// and the exact rate do. `seconds` >= 4. Thread: OFF.
 SituationRecording simulate_situation(Situation situation, std::uint64_t seed, double seconds);
 
-/// The diesel and hydraulics alone, speeding up from idle; `rpm` gets the speed at every sample.
-std::vector<double> simulate_engine_sweep(std::uint64_t seed, double seconds, std::vector<double>& rpm);
-
 }  // namespace rigsound::analysis

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "rigsound/analysis/chain.hpp"
 #include "rigsound/file/atomic_file.hpp"
+#include "simulate/engine_recording.hpp"
 
 namespace rigsound::analysis {
 
@@ -38,11 +41,22 @@ void write_labels(const std::filesystem::path& path, const SituationRecording& r
   write_file(path, text);
 }
 
-void write_rpm_csv(const std::filesystem::path& path, const std::vector<double>& rpm) {
+void write_track_csv(const std::filesystem::path& path, const std::string& what,
+                     const std::vector<double>& track) {
   constexpr std::size_t kEvery = 4800;  // 0.1 s
-  std::string text = "time_s,rpm\n";
-  for (std::size_t n = 0; n < rpm.size(); n += kEvery)
-    text += fmt::format("{:.1f},{:.2f}\n", static_cast<double>(n) / kAnalysisRate, rpm[n]);
+  std::string text = fmt::format("time_s,{}\n", what);
+  const auto row = [&](std::size_t n) {
+    text += fmt::format("{:.6g},{:.3f}\n", static_cast<double>(n) / kAnalysisRate, track[n]);
+  };
+  for (std::size_t n = 0; n < track.size(); n += kEvery) row(n);
+  if (!track.empty()) row(track.size() - 1);
+  write_file(path, text);
+}
+
+void write_body_csv(const std::filesystem::path& path) {
+  std::string text = "frequency_hz,gain_db\n";
+  for (double f_hz = 30; f_hz < 16000; f_hz *= std::exp2(1.0 / 18))
+    text += fmt::format("{:.2f},{:.3f}\n", f_hz, simulated_body_db(f_hz));
   write_file(path, text);
 }
 

@@ -10,8 +10,9 @@ namespace rigsound::analysis {
 
 /// Writes one recording per situation into `folder`: NAME.wav, NAME.txt (Audacity labels), and under truth/
 /// the clean sound, the background, NAME_truth.csv (time_s,amplitude,kind), NAME_envelope.csv and
-/// NAME_parameters.csv; under engine/ the diesel alone from idle to top speed with its r/min. Returns one
-/// line per recording. Errors: DeviceError when the folder cannot be written. Thread: OFF.
+/// NAME_parameters.csv; under engine/ a diesel alone, idling and speeding up, with its r/min, and under
+/// truth/ its crank angle and body. Returns one line per recording. Errors: DeviceError when the folder
+/// cannot be written. Thread: OFF.
 std::vector<std::string> write_situations(const std::filesystem::path& folder, std::uint64_t seed,
                                           double seconds);
 
