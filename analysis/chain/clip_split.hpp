@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dump.hpp"
+#include "chain/dump.hpp"
 #include "rigsound/analysis/chain.hpp"
 
 namespace rigsound::analysis {

@@ -1,6 +1,6 @@
+#include "chain/clip_split.hpp"
 #include "clicks/paper_second_stage.hpp"
 #include "clicks/whitening.hpp"
-#include "clip_split.hpp"
 #include "denoise/paper_nmf.hpp"
 #include "denoise/stft.hpp"
 

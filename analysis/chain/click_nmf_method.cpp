@@ -2,12 +2,12 @@
 
 #include <cmath>
 
+#include "chain/clip_split.hpp"
 #include "clicks/candidates.hpp"
 #include "clicks/click_fit.hpp"
 #include "clicks/drilling_test.hpp"
 #include "clicks/selection.hpp"
 #include "clicks/whitening.hpp"
-#include "clip_split.hpp"
 #include "denoise/cs_nmf.hpp"
 #include "denoise/divergence.hpp"
 #include "denoise/initial_nmf.hpp"

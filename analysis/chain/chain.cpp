@@ -4,9 +4,9 @@
 
 #include <mutex>
 
-#include "clip_analysis.hpp"
+#include "chain/clip_analysis.hpp"
+#include "chain/segments.hpp"
 #include "rigsound/analysis/parallel.hpp"
-#include "segments.hpp"
 
 namespace rigsound::analysis {
 

@@ -1,4 +1,4 @@
-#include "segments.hpp"
+#include "chain/segments.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "dump.hpp"
+#include "chain/dump.hpp"
 
 #include <fmt/format.h>
 

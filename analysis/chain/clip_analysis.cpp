@@ -1,11 +1,11 @@
-#include "clip_analysis.hpp"
+#include "chain/clip_analysis.hpp"
 
 #include <Eigen/Core>
 #include <cmath>
 #include <random>
 
+#include "chain/clip_split.hpp"
 #include "clicks/envelope.hpp"
-#include "clip_split.hpp"
 #include "denoise/stft.hpp"
 
 namespace rigsound::analysis {
