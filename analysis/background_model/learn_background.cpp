@@ -4,6 +4,7 @@
 #include "background_model/angle_domain.hpp"
 #include "background_model/body_filter.hpp"
 #include "background_model/body_fit.hpp"
+#include "background_model/free_lines.hpp"
 #include "background_model/low_analysis.hpp"
 #include "background_model/order_analysis.hpp"
 #include "background_model/phase_advance.hpp"
@@ -96,8 +97,8 @@ std::vector<double> crank_origins(const std::vector<Work>& work) {
   return origin;
 }
 
-/// What a cycle does not repeat, in time; and its part over the crossover.
-void take_off_orders(double f_x, Work& work) {
+/// Leaves what a cycle does not repeat, in time.
+void take_off_orders(Work& work) {
   const Section& s = *work.section;
   const std::vector<double> cycle = mean_cycle(work.block, 0, work.block.cycles);
   std::vector<double> wrapped(cycle.end() - 32, cycle.end()), at;
@@ -110,6 +111,25 @@ void take_off_orders(double f_x, Work& work) {
   work.residual = s.x;
   const std::vector<double> repeated = interpolated(wrapped, at, {32, 10, 1});
   for (std::size_t n = 0; n < s.x.size(); ++n) work.residual[n] -= repeated[n];
+}
+
+/// Lines off the orders become tones of the model: in slots they would be noise.
+std::vector<BackgroundOscillator> take_off_lines(int N_theta, std::vector<Work>& work) {
+  std::vector<Unrepeated> heard;
+  for (const Work& w : work) heard.push_back({w.section, &w.residual});
+  std::vector<BackgroundOscillator> tones;
+  for (const FreeLine& line : free_lines(heard, N_theta)) {
+    for (std::size_t i = 0; i < work.size(); ++i)
+      work[i].residual = without_line(*work[i].section, std::move(work[i].residual), line.frequency[i],
+                                      line.tone.order_locked);
+    tones.push_back(line.tone);
+  }
+  return tones;
+}
+
+/// The part of the residual over the crossover.
+void split_high(double f_x, Work& work) {
+  const Section& s = *work.section;
   if (s.open.empty()) {
     work.high = zero_phase_high_pass(work.residual, kBelowCrossover * f_x, kAnalysisRate);
     return;
@@ -219,7 +239,11 @@ LearnedBackground learn_background(const std::vector<EngineTake>& takes, const B
     const int last = last_order(*w.section, model.N_theta);
     w.orders = orders_of(w.block, 0, w.block.cycles, last);
     add_moments(w, last, moments);
-    take_off_orders(model.f_x, w);
+    take_off_orders(w);
+  }
+  model.oscillators = take_off_lines(model.N_theta, work);
+  for (Work& w : work) {
+    split_high(model.f_x, w);
     autocorrelations.push_back(body_autocorrelation(w.high, w.section->open, w.section->nyquist_hz, order));
   }
   model.E = fit_body(moments);
