@@ -17,7 +17,7 @@ constexpr int kFewestCycles = 20, kFewCycles = 100;
 constexpr double kTolerance = 0.03, kWorstCorrelation = 0.7;
 constexpr double kCut = 1.12;          // speed ratio at which a run-up becomes another point
 constexpr double kBlowTail_s = 0.018;  // a blow is heard this long
-constexpr double kClipped = 0.999, kClippedShare = 0.01;
+constexpr double kClippedShare = 0.01;
 
 /// 1 where no blow sounds: 18 ms after one until the next.
 std::vector<char> open_samples(const EngineTake& take) {
@@ -34,16 +34,9 @@ std::vector<char> open_samples(const EngineTake& take) {
 }
 
 void warn_of_clipping(const EngineTake& take, std::vector<std::string>& warnings) {
-  float peak = 0;
-  for (const float v : take.mono) peak = std::max(peak, std::fabs(v));
-  std::size_t clipped = 0;
-  for (std::size_t n = 1; n < take.mono.size(); ++n)  // flat tops, whatever the level they were cut at
-    clipped += std::fabs(take.mono[n]) > static_cast<float>(kClipped) * peak &&
-               std::fabs(take.mono[n - 1]) > static_cast<float>(kClipped) * peak;
-  const double share = static_cast<double>(clipped) / static_cast<double>(take.mono.size());
-  if (share > kClippedShare)
-    warnings.push_back(
-        fmt::format("{}: {:.1f} % of the samples are clipped, expected below 1 %", take.source, 100 * share));
+  if (take.clipped > kClippedShare)
+    warnings.push_back(fmt::format("{}: {:.1f} % of the samples are clipped, expected below 1 %", take.source,
+                                   100 * take.clipped));
 }
 
 /// Two turns of the crank are a cycle: half or twice the speed is the usual slip, and sounds nearly right.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "recording/clipping.hpp"
 #include "recording/resample.hpp"
 #include "rigsound/analysis/chain.hpp"
 #include "rigsound/input_error.hpp"
@@ -77,7 +78,7 @@ std::vector<float> read_mixed_down(SNDFILE* sound, int channels, const Frames& f
 }
 
 void check_samples(const std::filesystem::path& path, const std::vector<float>& mono, sf_count_t begin,
-                   int rate) {
+                   int rate, std::string_view subject) {
   const auto bad = std::find_if(mono.begin(), mono.end(), [](float x) { return !std::isfinite(x); });
   if (bad != mono.end()) {
     const auto at = begin + (bad - mono.begin());
@@ -87,12 +88,13 @@ void check_samples(const std::filesystem::path& path, const std::vector<float>& 
   }
   const auto [low, high] = std::minmax_element(mono.begin(), mono.end());
   if (*high - *low < 1e-6f)
-    throw InputError(path.string(), "silent, no drilling found; expected a recording of drilling");
+    throw InputError(path.string(), fmt::format("silent, no {} found in it; expected to hear some", subject));
 }
 
 }  // namespace
 
-Recording read_recording(const std::filesystem::path& path, const Stretch& stretch) {
+Recording read_recording(const std::filesystem::path& path, const Stretch& stretch,
+                         std::string_view subject) {
   SF_INFO info{};
   const Sound sound = open(path, info);
   check_format(path, info);
@@ -107,9 +109,9 @@ Recording read_recording(const std::filesystem::path& path, const Stretch& stret
     throw InputError(path.string(),
                      fmt::format("cut off after {} of {} frames, expected the whole file",
                                  frames.begin + static_cast<sf_count_t>(mono.size()), info.frames));
-  check_samples(path, mono, frames.begin, info.samplerate);
+  check_samples(path, mono, frames.begin, info.samplerate, subject);
   return {resample(mono, info.samplerate, static_cast<int>(kAnalysisRate)), info.samplerate, info.channels,
-          static_cast<long>(mono.size())};
+          static_cast<long>(mono.size()), clipped_share(mono)};
 }
 
 double recording_seconds(const std::filesystem::path& path) {

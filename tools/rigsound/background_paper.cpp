@@ -35,8 +35,8 @@ void model_note(const std::vector<std::string>& inputs, const std::string& resyn
   analysis::NoteSettings settings = o.note;
   settings.one_over_f = o.energies == "one-over-f";
   settings.seed = seed;
-  const analysis::NoteModel m =
-      analysis::model_note(inputs.front(), analysis::read_recording(inputs.front()).mono, settings);
+  const analysis::NoteModel m = analysis::model_note(
+      inputs.front(), analysis::read_recording(inputs.front(), {}, "note").mono, settings);
   if (!resynth.empty()) analysis::write_wave(resynth, m.sound, static_cast<int>(analysis::kAnalysisRate));
   if (json) {
     const nlohmann::ordered_json figures = {{"f0_hz", m.f0},

@@ -63,11 +63,12 @@ std::vector<double> speed_log(const std::string& file, std::size_t samples) {
 std::vector<analysis::EngineTake> takes_of(const BackgroundOptions& o) {
   std::vector<analysis::EngineTake> takes;
   for (std::size_t i = 0; i < o.inputs.size(); ++i) {
-    const analysis::Recording recording = analysis::read_recording(o.inputs[i]);
+    const analysis::Recording recording = analysis::read_recording(o.inputs[i], {}, "engine");
     analysis::EngineTake take;
     take.source = o.inputs[i];
     take.mono = recording.mono;
     take.source_rate = recording.source_rate;
+    take.clipped = recording.clipped;
     if (o.rpm_tracks.empty())
       take.rpm = nth(o.rpm, i, 0.0);
     else
@@ -176,8 +177,8 @@ void learn(BackgroundOptions o) {
     learned = analysis::learn_background(takes, o.settings);
   }
   for (const std::string& warning : learned.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
-  if (!o.start.empty()) learned.model.start = analysis::read_recording(o.start).mono;
-  if (!o.stop.empty()) learned.model.stop = analysis::read_recording(o.stop).mono;
+  if (!o.start.empty()) learned.model.start = analysis::read_recording(o.start, {}, "engine").mono;
+  if (!o.stop.empty()) learned.model.stop = analysis::read_recording(o.stop, {}, "engine").mono;
   save(o, learned.model);
   if (!o.resynth.empty()) write_resynthesis(o, learned.model);
   if (!o.plot.empty()) analysis::write_background_plot(o.plot, takes, learned.model);

@@ -7,6 +7,7 @@
 #include "rigsound/audio/wav_sink.hpp"
 #include "rigsound/config/fingerprint.hpp"
 #include "rigsound/config/rig.hpp"
+#include "rigsound/default_background.hpp"
 #include "rigsound/input_error.hpp"
 #include "rigsound/log/log_states.hpp"
 #include "rigsound/log/session_states.hpp"
@@ -39,6 +40,8 @@ void render(const config::Rig& rig, Engine engine, audio::StateSource& states, a
 
 Engine build_engine(config::Rig& rig) {
   SoundSet sounds = config::load_sounds(rig);
+  if (sounds.backgrounds.front().name == default_background().name)
+    fmt::print(stderr, "{}: holds no background, the built-in diesel stands in\n", rig.sound_set.string());
   return config::build_engine(rig, std::move(sounds));
 }
 

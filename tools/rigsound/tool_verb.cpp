@@ -81,8 +81,8 @@ void print_json(const std::vector<TunedMode>& modes, nlohmann::ordered_json json
 /// The steel as asked for, or as heard in the recording.
 ToolModel model_of(const ToolOptions& o, nlohmann::ordered_json& json) {
   if (!o.recording.empty()) {
-    const analysis::ToolFit fit =
-        analysis::fit_tool(analysis::read_recording(o.recording), o.recording, {o.length_m, o.diameter_m});
+    const analysis::ToolFit fit = analysis::fit_tool(
+        analysis::read_recording(o.recording, {}, "struck steel"), o.recording, {o.length_m, o.diameter_m});
     report(fit);
     json["fit"] = fit_json(fit);
     return fit.model;

@@ -79,6 +79,16 @@ TEST_CASE("what cannot be analysed is refused with the file's name and what was 
   }
 }
 
+TEST_CASE("flat tops are counted at the file's own rate, and a pure tone has none to speak of") {
+  const Folder folder;
+  std::vector<float> x = tone(44100, 97, 44100);
+  CHECK(read_recording(write(folder.path / "whole.wav", x, 44100, 1)).clipped < 0.01);
+  const float level = 0.4f;  // reached at 53.1 of 90 degrees
+  for (float& v : x) v = std::min(std::max(v, -level), level);
+  const double share = read_recording(write(folder.path / "cut.wav", x, 44100, 1)).clipped;
+  CHECK(share == doctest::Approx(1 - std::asin(0.8) / (kPi / 2)).epsilon(0.02));
+}
+
 TEST_CASE("channels are averaged") {
   const Folder folder;
   std::vector<float> frames;

@@ -13,6 +13,7 @@ struct EngineTake {
   std::string source;           ///< for messages
   std::vector<float> mono;      ///< kAnalysisRate
   int source_rate = 48000;      ///< Hz, of the file: nothing is learned above its Nyquist frequency
+  double clipped = 0;           ///< share of its samples on flat tops, 0...1
   double rpm = 0;               ///< r/min within 3 %, when there is no log
   std::vector<double> rpm_log;  ///< r/min at every sample; empty: steady
   double load = 0;              ///< 0...1

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 namespace rigsound::analysis {
@@ -12,6 +13,7 @@ struct Recording {
   int source_rate = 0;      ///< Hz, of the file
   int source_channels = 0;  ///< of the file; more than one were averaged into `mono`
   long source_frames = 0;   ///< samples read, at the file's own rate
+  double clipped = 0;       ///< share of them on flat tops, 0...1
 };
 
 constexpr int kMinSourceRate = 16000;  ///< Hz; below it the clicks' bandwidth is not there
@@ -25,8 +27,10 @@ struct Stretch {
 
 /// Reads a stretch of any file libsndfile reads, averages its channels and resamples it to kAnalysisRate.
 /// Errors: InputError when the file is missing, unreadable, or lies outside the ranges above, or the stretch
-/// is empty, too short, silent, or holds a sample that is not finite. Thread: OFF.
-Recording read_recording(const std::filesystem::path& path, const Stretch& stretch = {});
+/// is empty, too short, silent, or holds a sample that is not finite. `subject`: what a silent one lacks.
+/// Thread: OFF.
+Recording read_recording(const std::filesystem::path& path, const Stretch& stretch = {},
+                         std::string_view subject = "drilling");
 
 /// Length of the file. Errors: InputError as above. Thread: OFF.
 double recording_seconds(const std::filesystem::path& path);
