@@ -80,7 +80,7 @@ def main():
     command = ['/usr/bin/python3', '-B', HERE / 'guest' / 'suite.py', project, build, work, *chosen]
     limit_s = SOAK_LIMIT_S if any('soak' in name for name in chosen) else LIMIT_S
     try:
-        status = machine.run(work, command, limit_s)
+        status = machine.run(work, command, limit_s, (project, build))
     except machine.CannotStart as reason:
         required = bool(os.environ.get('CI'))
         print(f'{"FAILED" if required else "SKIPPED"}: bus: no virtual machine: {reason}', flush=True)

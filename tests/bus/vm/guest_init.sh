@@ -24,7 +24,22 @@ ln -s fd/1 stdout
 ln -s fd/2 stderr
 mkdir -p pts shm
 mount -t devpts none pts
+
+# The guest's own /tmp would hide a checkout that lies there: it is held and put back.
+held=0
+while read -r folder; do
+  held=$((held + 1))
+  mkdir -p "/held/$held"
+  mount -o bind "/host$folder" "/held/$held"
+done < /shown_folders
 for own in /host/dev/shm /host/tmp /host/run; do mount -t tmpfs none "$own"; done
+held=0
+while read -r folder; do
+  held=$((held + 1))
+  [ -e "/host$folder" ] && continue
+  mkdir -p "/host$folder"
+  mount -o bind "/held/$held" "/host$folder"
+done < /shown_folders
 work=$(cat /work_folder)
 mkdir -p "/host$work"
 share work "/host$work" rw

@@ -1,7 +1,8 @@
 """A small machine with real SocketCAN and real ALSA, on a host that has neither, nor KVM, nor root.
 
 Its clock is virtual: it counts instructions and jumps while idle. A busy host makes a test slow, never late.
-The guest sees the host's files read-only, and one folder it may write; /tmp, /run and /dev/shm are its own.
+The guest sees the host's files read-only, and one folder it may write; /tmp, /run and /dev/shm are its own, but for
+the folders that are to be shown.
 """
 import pathlib
 import shlex
@@ -22,7 +23,7 @@ class CannotStart(Exception):
     """The machine did not come as far as running the command."""
 
 
-def build_initrd(kernel, work, scratch):
+def build_initrd(kernel, work, shown, scratch):
     root = scratch / 'root'
     (root / 'bin').mkdir(parents=True)
     shutil.copy('/bin/busybox', root / 'bin')
@@ -30,6 +31,7 @@ def build_initrd(kernel, work, scratch):
     shutil.copy(HERE / 'guest_init.sh', root / 'init')
     (root / 'init').chmod(0o755)
     (root / 'work_folder').write_text(str(work))
+    (root / 'shown_folders').write_text(''.join(f'{folder}\n' for folder in shown))
     names = '\n'.join(str(p.relative_to(root)) for p in sorted(root.rglob('*')))
     archive = scratch / 'initrd'
     with archive.open('wb') as out:
@@ -51,8 +53,11 @@ def qemu_command(kernel, initrd, work, console):
             *share('host', '/', 'readonly=on'), *share('work', work)]
 
 
-def run(work, command, limit_s):
-    """Runs `command` (a list) in the guest, in the folder `work`; returns its exit status, or TIMED_OUT."""
+def run(work, command, limit_s, shown):
+    """Runs `command` (a list) in the guest, in the folder `work`; returns its exit status, or TIMED_OUT.
+
+    `shown`: absolute paths of folders it reads, wherever they lie.
+    """
     work = pathlib.Path(work).resolve()
     control = work / '.vm'
     shutil.rmtree(control, ignore_errors=True)
@@ -63,7 +68,7 @@ def run(work, command, limit_s):
         console = scratch / 'console'
         try:
             kernel = kernel_folder()
-            words = qemu_command(kernel, build_initrd(kernel, work, scratch), work, console)
+            words = qemu_command(kernel, build_initrd(kernel, work, shown, scratch), work, console)
             subprocess.run(words, stdin=subprocess.DEVNULL, timeout=limit_s)
         except subprocess.TimeoutExpired:
             print(f'the machine did not end within {limit_s} s', file=sys.stderr)
