@@ -14,9 +14,9 @@ namespace rigsound::tool {
 namespace {
 
 constexpr int W = RIGSOUND_LANES;
-typedef double V __attribute__((vector_size(W * sizeof(double))));
-typedef std::uint64_t Bits __attribute__((vector_size(W * sizeof(double))));
-typedef double V2 __attribute__((vector_size(16)));
+using V __attribute__((vector_size(W * sizeof(double)))) = double;
+using Bits __attribute__((vector_size(W * sizeof(double)))) = std::uint64_t;
+using V2 __attribute__((vector_size(16))) = double;
 
 template <class Vector, class T>
 Vector load(const T* from) {
