@@ -173,7 +173,7 @@ double CrankTrack::rpm() const {
              : 120 * kAnalysisRate * (theta.back() - theta.front()) / static_cast<double>(theta.size() - 1);
 }
 
-Repetition repetition_near(const std::vector<double>& x, double rpm) {
+double repeating_rpm(const std::vector<double>& x, double rpm) {
   const double f0 = rpm / 120;
   const int factor = 8;
   const Signal band = decimated(tracking_band(x, f0), factor);
@@ -194,19 +194,10 @@ Repetition repetition_near(const std::vector<double>& x, double rpm) {
     const bool peak = unbiased(lag) > unbiased(lag - 1) && unbiased(lag) >= unbiased(lag + 1);
     if (peak && (best == 0 || unbiased(lag) > unbiased(best))) best = lag;
   }
-  if (best == 0 || re[best] < 0.05 * re[0]) return {};
+  if (best == 0 || re[best] < 0.05 * re[0]) return 0;
   const double y0 = re[best - 1], y1 = re[best], y2 = re[best + 1];
   const double lag = static_cast<double>(best) + 0.5 * (y0 - y2) / (y0 - 2 * y1 + y2);
-  const auto highest_near = [&](double at) {
-    double r = 0;
-    for (auto l = static_cast<std::size_t>(at * 0.985); static_cast<double>(l) < at * 1.015; ++l)
-      if (l + 1 < band.size())
-        r = std::max(r,
-                     re[l] / re[0] * static_cast<double>(band.size()) / static_cast<double>(band.size() - l));
-    return r;
-  };
-  return {120 * kAnalysisRate / factor / lag, highest_near(lag), highest_near(2 * lag),
-          highest_near(lag / 2)};
+  return 120 * kAnalysisRate / factor / lag;
 }
 
 CrankTrack track_steady(const std::vector<double>& x, double rpm) {

@@ -12,14 +12,9 @@ struct CrankTrack {
   double rpm() const;         ///< mean over the track, at kAnalysisRate
 };
 
-/// How a recording repeats: autocorrelation of its tracking band after one cycle, two, and half a one.
-struct Repetition {
-  double rpm = 0;  ///< 0: it does not repeat
-  double one = 0, two = 0, half = 0;
-};
-
-/// The speed near `rpm` (within 10 %) at which the recording repeats best. Thread: OFF.
-Repetition repetition_near(const std::vector<double>& x, double rpm);
+/// Cycle frequency near `rpm` (within 10 %) at which the recording repeats best, r/min; 0 when it does not
+/// repeat there at all. Thread: OFF.
+double repeating_rpm(const std::vector<double>& x, double rpm);
 
 /// Follows a steady engine from its mean speed: running template, then six rounds of alignment to the mean of
 /// all cycles and of the neighbouring ones, smoothed. Accuracy on the simulator: below 0.5 degrees rms.

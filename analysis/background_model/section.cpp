@@ -7,6 +7,7 @@
 
 #include "background_model/angle_domain.hpp"
 #include "background_model/crank_tracker.hpp"
+#include "background_model/cycle_length.hpp"
 #include "rigsound/analysis/chain.hpp"
 #include "rigsound/input_error.hpp"
 
@@ -39,29 +40,31 @@ void warn_of_clipping(const EngineTake& take, std::vector<std::string>& warnings
                                    100 * take.clipped));
 }
 
-/// Two turns of the crank are a cycle: half or twice the speed is the usual slip, and sounds nearly right.
-void warn_of_octave(const EngineTake& take, const Repetition& found, std::vector<std::string>& warnings) {
-  constexpr double kClearly = 0.85;  // of what a cycle does not repeat is left
-  if (1 - found.two < kClearly * (1 - found.one))
-    warnings.push_back(fmt::format("{}: repeats better at {:.0f} r/min, half of the speed given", take.source,
-                                   found.rpm / 2));
-  else if (found.half >= found.one)
-    warnings.push_back(fmt::format("{}: repeats as well at {:.0f} r/min, twice the speed given", take.source,
-                                   2 * found.rpm));
+/// Half or twice the speed is the usual slip, and the tracker follows it as well.
+void require_whole_cycles(const Section& section, double rpm, std::vector<std::string>& warnings) {
+  constexpr double kAlternates = 4, kAlike = 0.9, kSurelyDiffer = 40, kNearlyAlike = 1.5, kDiffer = 10;
+  const Alternation a = alternation_of(section);
+  const auto better = [&](double speed, const char* why) {
+    return fmt::format("is {:.0f}, but {}, expected {:.0f} r/min", rpm, why, speed);
+  };
+  if (a.cycles > kAlternates)
+    throw InputError(section.source, 0, "rpm",
+                     better(60 * section.f0(), "every other cycle of 720 degrees differs"));
+  const std::string twice = better(240 * section.f0(), "a cycle of 720 degrees holds the same sound twice");
+  if (a.halves < kAlike && a.quarters > kSurelyDiffer) throw InputError(section.source, 0, "rpm", twice);
+  if (a.halves < kNearlyAlike && a.quarters > kDiffer)
+    warnings.push_back(fmt::format("{}: rpm: {}", section.source, twice));
 }
 
-CrankTrack track_of(const EngineTake& take, const std::vector<double>& x,
-                    std::vector<std::string>& warnings) {
+CrankTrack track_of(const EngineTake& take, const std::vector<double>& x) {
   if (!take.rpm_log.empty()) return track_logged(x, take.rpm_log);
-  const Repetition repetition = repetition_near(x, take.rpm);
-  const double found = repetition.rpm;
+  const double found = repeating_rpm(x, take.rpm);
   if (found == 0)
     throw InputError(take.source, fmt::format("does not repeat with any speed near {:.0f} r/min", take.rpm));
   if (std::fabs(found / take.rpm - 1) > kTolerance)
     throw InputError(take.source, 0, "rpm",
                      fmt::format("is {:.0f}, but the recording repeats at {:.0f} r/min, expected within 3 %",
                                  take.rpm, found));
-  warn_of_octave(take, repetition, warnings);
   return track_steady(x, found);
 }
 
@@ -115,7 +118,7 @@ std::vector<Section> sections_of(const std::vector<EngineTake>& takes, std::vect
     const EngineTake& take = takes[i];
     warn_of_clipping(take, warnings);
     const std::vector<double> x(take.mono.begin(), take.mono.end());
-    const CrankTrack track = track_of(take, x, warnings);
+    const CrankTrack track = track_of(take, x);
     require_tracked(take, track, warnings);
     const std::vector<char> open = open_samples(take);
     const std::vector<std::size_t> ends = cuts(take, track.theta);
@@ -134,6 +137,7 @@ std::vector<Section> sections_of(const std::vector<EngineTake>& takes, std::vect
       if (!open.empty()) s.open.assign(open.begin() + at, open.begin() + at + length);
       s.nyquist_hz = std::min(take.source_rate, static_cast<int>(kAnalysisRate)) / 2.0;
       s.load = take.load, s.correlation = track.correlation, s.run_up = ends.size() > 1;
+      if (take.rpm_log.empty()) require_whole_cycles(s, take.rpm, warnings);
       sections.push_back(std::move(s));
     }
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "background_model/crank_tracker.hpp"
+#include "background_model/cycle_length.hpp"
 #include "background_model/phase_advance.hpp"
 #include "dsp/butterworth.hpp"
 #include "rigsound/analysis/background.hpp"
@@ -56,6 +57,27 @@ TEST_CASE("what cannot be an engine at that speed is refused") {
   check_refused(take_of({engine.sound.begin(), engine.sound.begin() + 72000}, 1200), "20");
   SplitMix draw(1);
   check_refused(take_of(draw.normals(192000), 1200), "take.wav");
+}
+
+TEST_CASE("twice the true speed is refused: every other of its cycles differs; the true speed is not") {
+  const EngineRecording engine = engine_at(650, 10);
+  check_refused(take_of(engine.sound, 1300), "expected 650 r/min");
+  BackgroundSettings settings;
+  settings.name = "engine";
+  CHECK(learn_background({take_of(engine.sound, 650)}, settings).warnings.size() == 1);  // few cycles
+}
+
+TEST_CASE("the halves of a cycle are alike at half the true speed, and only there") {
+  const EngineRecording engine = engine_at(650, 20);
+  Section s;
+  s.x = engine.sound, s.theta = engine.theta;
+  const Alternation right = alternation_of(s);
+  CHECK(right.halves > 4);
+  CHECK(right.cycles < 2);
+  for (double& theta : s.theta) theta /= 2;
+  const Alternation halved = alternation_of(s);
+  CHECK(halved.halves < 1.5);
+  CHECK(halved.quarters > 10);
 }
 
 TEST_CASE("a phase that was advanced comes out of the crossover's high-pass in place") {
