@@ -42,11 +42,12 @@ struct Work {
   BackgroundPoint point;
 };
 
-/// Two poles for every 375 Hz that were recorded, a multiple of the voice's eight lanes.
+/// Two poles for every 375 Hz that were recorded, a multiple of the voice's eight lanes; 96 are what a block
+/// has time for.
 int body_order(const std::vector<Section>& sections) {
   double nyquist = 0;
   for (const Section& s : sections) nyquist = std::max(nyquist, s.nyquist_hz);
-  return std::clamp(8 * static_cast<int>(std::lround(nyquist / 1500)), 32, 128);
+  return std::clamp(8 * static_cast<int>(std::lround(nyquist / 1500)), 32, 96);
 }
 
 int last_order(const Section& s, int N_theta) {
