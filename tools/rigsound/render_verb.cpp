@@ -23,8 +23,11 @@ struct Options {
 };
 
 /// Renders the whole source into OUT and prints the figures.
-void render(const config::Rig& rig, Engine engine, audio::StateSource& states, audio::SampleFormat samples,
+void render(config::Rig& rig, audio::StateSource& states, audio::SampleFormat samples,
             const std::string& out) {
+  SoundSet sounds = config::load_sounds(rig);
+  const bool stand_in = sounds.backgrounds.front().name == default_background().name;
+  Engine engine = config::build_engine(rig, std::move(sounds));
   Sha256 digest;
   const audio::WavSink::Format format{static_cast<int>(rig.engine.sample_rate), rig.engine.channels,
                                       rig.engine.block, samples};
@@ -36,13 +39,8 @@ void render(const config::Rig& rig, Engine engine, audio::StateSource& states, a
   sink.commit();
   const double length_s = static_cast<double>(blocks) * rig.engine.block / rig.engine.sample_rate;
   fmt::print("sha256 {}\nrealtime_factor {:.2f}\n", digest.hex(), length_s / spent.count());
-}
-
-Engine build_engine(config::Rig& rig) {
-  SoundSet sounds = config::load_sounds(rig);
-  if (sounds.backgrounds.front().name == default_background().name)
+  if (stand_in)
     fmt::print(stderr, "{}: holds no background, the built-in diesel stands in\n", rig.sound_set.string());
-  return config::build_engine(rig, std::move(sounds));
 }
 
 void render_log(const Options& options) {
@@ -50,7 +48,7 @@ void render_log(const Options& options) {
   if (options.seed) rig.engine.seed = *options.seed;
   const std::unique_ptr<log::BusLog> log = log::open_log(options.log, rig.can, rig.modbus);
   log::LogStates states(*log, rig.safety, rig.engine);
-  render(rig, build_engine(rig), states, audio::SampleFormat::kFloat, options.out);
+  render(rig, states, audio::SampleFormat::kFloat, options.out);
   print_log_notes(options.log, *log);
 }
 
@@ -67,7 +65,7 @@ void render_session(const Options& options) {
   if (fingerprint != header.fingerprint)
     throw InputError(options.session, "was played with another rig or sound set (" + header.fingerprint +
                                           "), expected that of " + options.rig + " (" + fingerprint + ")");
-  render(rig, build_engine(rig), states, header.format, options.out);
+  render(rig, states, header.format, options.out);
   if (states.bytes_ignored() > 0)
     fmt::print(stderr, "{}: the last {} bytes are not whole and were left out\n", options.session,
                states.bytes_ignored());
