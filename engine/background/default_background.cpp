@@ -111,7 +111,7 @@ HydraulicPart hydraulics() {
 
 BackgroundModel default_background() {
   BackgroundModel model;
-  model.name = "built-in diesel";
+  model.name = kDefaultBackground;
   model.E = body_response();
   model.A = body_filter(model.sample_rate, model.f_x);
   model.hydraulic = hydraulics();

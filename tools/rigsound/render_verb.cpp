@@ -26,7 +26,7 @@ struct Options {
 void render(config::Rig& rig, audio::StateSource& states, audio::SampleFormat samples,
             const std::string& out) {
   SoundSet sounds = config::load_sounds(rig);
-  const bool stand_in = sounds.backgrounds.front().name == default_background().name;
+  const bool stand_in = sounds.backgrounds.front().name == kDefaultBackground;
   Engine engine = config::build_engine(rig, std::move(sounds));
   Sha256 digest;
   const audio::WavSink::Format format{static_cast<int>(rig.engine.sample_rate), rig.engine.channels,
