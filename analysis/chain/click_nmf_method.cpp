@@ -5,6 +5,7 @@
 #include "chain/clip_split.hpp"
 #include "clicks/candidates.hpp"
 #include "clicks/click_fit.hpp"
+#include "clicks/click_likeness.hpp"
 #include "clicks/drilling_test.hpp"
 #include "clicks/selection.hpp"
 #include "clicks/whitening.hpp"
@@ -63,7 +64,7 @@ DrillingEvidence look(const std::vector<float>& x, const MeanPsd& psd, const std
   const Selection selection = select_clicks(candidates, kDrillingRates);
   DrillingEvidence evidence;
   if (selection.block.size() >= kFewestClicks) evidence.clicks = fit_clicks(y, candidates, selection);
-  evidence.z = selection.mean_z * std::sqrt(noise_bandwidth(A, psd.N));
+  evidence.z = selection.mean_z * std::sqrt(noise_bandwidth(A, psd.N + kDrillingShare * psd.S));
   evidence.total = selection.total;
   evidence.fast_total = fast_total(candidates);
   dump_look(dump, pass, y, candidates, evidence.clicks);
@@ -86,7 +87,18 @@ Factors explain(const PowerSpectrogram& power, const CsNmfOptions& options, Dril
   const Eigen::ArrayXf near = frames_near_clicks(evidence.clicks, power.frames);
   evidence.background_alone = mean_divergence(power, background_nmf(power), near);
   evidence.with_clicks = mean_divergence(power, factors, near);
+  evidence.irregularity = irregularity(evidence.clicks);
+  evidence.likeness = click_likeness(power, evidence.clicks);
   return factors;
+}
+
+void dump_evidence(const Dump& dump, const std::string& pass, const DrillingEvidence& e) {
+  Eigen::ArrayXXd figures(1, 10);
+  figures << static_cast<double>(e.clicks.P.size()), e.z, e.total, e.fast_total, e.irregularity,
+      e.likeness.dispersion, e.likeness.rise, e.likeness.rhythm, e.background_alone, e.with_clicks;
+  dump.table(pass + "_evidence",
+             "clicks,z,total,fast_total,irregularity,dispersion,rise,rhythm,background_alone,with_clicks",
+             figures);
 }
 
 ClipSplit split_without_denoising(const std::vector<float>& x, const Dump& dump) {
@@ -96,6 +108,7 @@ ClipSplit split_without_denoising(const std::vector<float>& x, const Dump& dump)
   split.noise_psd = Eigen::ArrayXd::Zero(split.signal_psd.size());
   DrillingEvidence evidence = look(x, {split.signal_psd, split.noise_psd}, "only", dump);
   if (evidence.clicks.P.size() >= kFewestClicks) explain(power, options_of(0, evidence.clicks), evidence);
+  dump_evidence(dump, "only", evidence);
   split.reason = no_drilling_reason(evidence);
   split.clicks = std::move(evidence.clicks);
   split.drilling = x;
@@ -120,6 +133,7 @@ ClipSplit split_by_click_nmf(const std::vector<float>& x, const ChainOptions& op
     if (evidence.clicks.P.size() >= kFewestClicks)
       psd = modelled_psd(explain(power, options_of(pass, evidence.clicks), evidence), power);
     dump_split(dump, name, X, psd, x.size());
+    dump_evidence(dump, name, evidence);
     split.reason = no_drilling_reason(evidence);
     split.clicks = std::move(evidence.clicks);
     if (split.clicks.P.size() < kFewestClicks) break;

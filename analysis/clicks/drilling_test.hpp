@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <string>
 
+#include "clicks/click_likeness.hpp"
 #include "clicks/selection.hpp"
 #include "denoise/power.hpp"
 #include "rigsound/analysis/click_train.hpp"
@@ -13,9 +14,11 @@ namespace rigsound::analysis {
 /// What the clicks found in a recording look like.
 struct DrillingEvidence {
   ClickTrain clicks;
-  double z = 0;                 ///< mean detection statistic of the selected clicks, in independent samples
-  double total = 0;             ///< of the selected chain
-  double fast_total = 0;        ///< of the best chain faster than any drill
+  double z = 0;             ///< mean detection statistic of the selected clicks, in independent samples
+  double total = 0;         ///< of the selected chain
+  double fast_total = 0;    ///< of the best chain faster than any drill
+  double irregularity = 0;  ///< median of |ln(gap / median gap)|
+  ClickLikeness likeness;
   double background_alone = 0;  ///< divergence per cell that a slow background leaves
   double with_clicks = 0;       ///< divergence per cell with the click train's words
 };
@@ -24,6 +27,9 @@ struct DrillingEvidence {
 /// swell (a rotary drill, beating tones) has no sharp rise; a voice or an instrument pulses faster than a
 /// drill or is not explained by one click spectrum repeated at the clicks' times. Thread: OFF.
 std::string no_drilling_reason(const DrillingEvidence& evidence);
+
+/// DrillingEvidence::irregularity of at least three clicks. Thread: OFF.
+double irregularity(const ClickTrain& clicks);
 
 /// Total of the best chain at 100 to 400 Hz. Thread: OFF.
 double fast_total(const Candidates& candidates);

@@ -13,8 +13,7 @@ namespace rigsound::analysis {
 namespace {
 
 constexpr int kOrder = 64;
-constexpr double kDrillingShare = 0.1;  ///< of S in D: 0 would be a pure matched filter
-constexpr double kEmptyBin = 1e-6;      ///< of the largest power; band-limited files end here
+constexpr double kEmptyBin = 1e-6;  ///< of the largest power; band-limited files end here
 constexpr double kLargestOverMedian = 1e4;
 constexpr double kWhiteNoise = 1e-4;  ///< correction of r_0
 constexpr double kLagWindow_hz = 60;  ///< Gaussian

@@ -75,6 +75,9 @@ def resynthesis(program, clip):
             write_wave(at('learn.wav'), read_wave(stem + '_clean.wav')[:96000])
             mixes = {snr: read_wave('%s_%d.wav' % (stem, snr))[:96000] for snr in (0, 6)}
             bank = program.analyze(at('learn.wav'), at('clean'), '--no-denoise')[0]
+            if not bank:
+                result.update({'%s@%g' % (k, rate): np.inf for k in ('level', 'ltas', 'mod', 'crest', 'gap')})
+                continue
             program.simulate(at(''), clip, 8, (), rate)
             original, times = read_wave(stem + '_clean.wav'), truth_of(stem + '_truth.csv')[0]
             options = [] if rate == 1 else ['--rate', rate * 48000 / truth['T_0']]

@@ -1,0 +1,97 @@
+#include "clicks/click_likeness.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "clicks/rhythm.hpp"
+#include "rigsound/analysis/chain.hpp"
+
+namespace rigsound::analysis {
+namespace {
+
+constexpr int kBands = 19;  // the lowest from the first bin to kSecond_hz, the others as wide in octaves
+constexpr double kSecond_hz = 250, kHighest_hz = 16000;
+constexpr double kHeard = 1e-6;  // of the loudest band
+constexpr double kLongest_s = 0.012, kLongestShare = 0.4;
+constexpr long kBeforeFrom = 3, kBeforeFrames = 2;  // frames: up to where the window reaches the click
+constexpr double kFloorQuantile = 0.1;
+constexpr int kSweeps = 60;
+constexpr double kLeastRise = -1, kMostRise = 3;  // nepers of power: one silent band is not all
+
+/// Mean power a bin, bands x frames, of the bands that hold anything.
+Eigen::ArrayXXd band_powers(const PowerSpectrogram& power) {
+  Eigen::ArrayXXd bands(kBands, power.frames);
+  const double bin_hz = kAnalysisRate / kChainStft.fft;
+  const auto edge = [&](int band) {
+    const double octaves = std::log2(kHighest_hz / kSecond_hz) * (band - 1) / (kBands - 1);
+    return band == 0 ? 1L : static_cast<long>(std::ceil(kSecond_hz * std::exp2(octaves) / bin_hz));
+  };
+  for (int band = 0; band < kBands; ++band)
+    bands.row(band) = power.P.leftCols(power.frames)
+                          .middleRows(edge(band), edge(band + 1) - edge(band))
+                          .cast<double>()
+                          .colwise()
+                          .mean();
+  const Eigen::ArrayXd mean = bands.rowwise().mean();
+  long heard = 0;
+  for (int band = 0; band < kBands; ++band)
+    if (mean(band) > kHeard * mean.maxCoeff()) bands.row(heard++) = bands.row(band).eval();
+  return bands.topRows(heard);
+}
+
+/// What a band's mean over `length` frames is when it is quiet.
+Eigen::ArrayXd quiet_powers(const Eigen::ArrayXXd& bands, long length) {
+  Eigen::ArrayXd quiet(bands.rows());
+  for (long band = 0; band < bands.rows(); ++band) {
+    std::vector<double> means;
+    for (long frame = 0; frame + length <= bands.cols(); ++frame)
+      means.push_back(bands.row(band).segment(frame, length).mean());
+    const auto at = means.begin() + static_cast<long>(kFloorQuantile * static_cast<double>(means.size() - 1));
+    std::nth_element(means.begin(), at, means.end());
+    quiet(band) = *at;
+  }
+  return quiet;
+}
+
+/// E, bands x clicks, as quiet + spectrum gain', by multiplicative updates: the mean divergence that is left.
+double dispersion(const Eigen::ArrayXXd& E, const Eigen::ArrayXd& quiet) {
+  Eigen::ArrayXd spectrum = (E.rowwise().mean() - quiet).max(1e-3 * quiet);
+  Eigen::ArrayXd gain = Eigen::ArrayXd::Ones(E.cols());
+  Eigen::ArrayXXd M;
+  const auto model = [&] { M = (spectrum.matrix() * gain.matrix().transpose()).array().colwise() + quiet; };
+  model();
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    gain *= ((E / M.square()).matrix().transpose() * spectrum.matrix()).array().sqrt() /
+            (M.inverse().matrix().transpose() * spectrum.matrix()).array().sqrt();
+    model();
+    spectrum *= ((E / M.square()).matrix() * gain.matrix()).array().sqrt() /
+                (M.inverse().matrix() * gain.matrix()).array().sqrt();
+    model();
+  }
+  const Eigen::ArrayXXd ratio = E / M;
+  return (ratio - ratio.log() - 1).mean();
+}
+
+}  // namespace
+
+ClickLikeness click_likeness(const PowerSpectrogram& power, const ClickTrain& clicks) {
+  const Eigen::ArrayXXd bands = band_powers(power);
+  const double longest = std::min(kLongestShare * clicks.T_0, kLongest_s * kAnalysisRate);
+  const long length = std::max(2L, static_cast<long>(longest / kChainStft.hop));
+  std::vector<long> onset;
+  for (const int P : clicks.P) {
+    const long frame = std::lround(static_cast<double>(P) / kChainStft.hop);
+    if (frame >= kBeforeFrom && frame + length <= bands.cols()) onset.push_back(frame);
+  }
+  if (onset.size() < 2) return {};
+  Eigen::ArrayXXd after(bands.rows(), onset.size()), before(bands.rows(), onset.size());
+  for (long i = 0; i < after.cols(); ++i) {
+    after.col(i) = bands.middleCols(onset[i], length).rowwise().mean();
+    before.col(i) = bands.middleCols(onset[i] - kBeforeFrom, kBeforeFrames).rowwise().mean();
+  }
+  return {dispersion(after, quiet_powers(bands, length)),
+          (after / before).log().max(kLeastRise).min(kMostRise).mean(), rhythm(after.log(), onset)};
+}
+
+}  // namespace rigsound::analysis

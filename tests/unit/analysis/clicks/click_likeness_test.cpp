@@ -1,0 +1,79 @@
+// Likeness of clicks, against spectrograms whose band powers are chosen.
+#include "clicks/click_likeness.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace rigsound::analysis;
+
+namespace {
+
+constexpr int kGap = 20, kClicks = 24;  // frames, clicks
+
+/// A steady background of power 1 in every bin and `kClicks` clicks a gap apart, each four frames long;
+/// spectrum(click, bin) is a click's power.
+template <class Spectrum>
+PowerSpectrogram clicks_in_background(Spectrum spectrum) {
+  PowerSpectrogram power;
+  power.frames = kGap * (kClicks + 1);
+  power.P = Grid::Ones(257, power.frames);
+  for (int click = 0; click < kClicks; ++click)
+    for (int bin = 0; bin < 257; ++bin)
+      power.P.row(bin).segment(kGap * (click + 1), 4) += static_cast<float>(spectrum(click, bin));
+  return power;
+}
+
+ClickTrain train() {
+  ClickTrain clicks;
+  clicks.T_0 = kGap * 128;
+  for (int click = 0; click < kClicks; ++click) {
+    clicks.P.push_back((click + 1) * kGap * 128);
+    clicks.beta.push_back(1);
+  }
+  return clicks;
+}
+
+double slope(int bin) { return 30 * std::exp(-bin / 60.0); }
+
+}  // namespace
+
+TEST_CASE("clicks of one spectrum resemble one another, whatever their strength") {
+  const auto power = clicks_in_background(
+      [](int click, int bin) { return slope(bin) * std::exp(std::sin(static_cast<double>(click))); });
+  CHECK(click_likeness(power, train()).dispersion < 1e-3);
+}
+
+TEST_CASE("clicks of two kinds do not: the divergence of their mixture from its mean") {
+  // Two spectra that share no band, in turn: the best single spectrum is half of each, so that where a click
+  // sounds its power is twice the model's and the background's is below it.
+  const auto power =
+      clicks_in_background([](int click, int bin) { return (bin > 21) == (click % 2 == 0) ? 99.0 : 0.0; });
+  const double high = 100.0 / 50.5, low = 1.0 / 50.5;
+  const double expected = 0.5 * ((high - std::log(high) - 1) + (low - std::log(low) - 1));
+  CHECK(click_likeness(power, train()).dispersion == doctest::Approx(expected).epsilon(0.02));
+}
+
+TEST_CASE("the rise is that of the bands at the clicks, in nepers of power") {
+  const auto power = clicks_in_background([](int, int) { return std::exp(1.5) - 1; });
+  CHECK(click_likeness(power, train()).rise == doctest::Approx(1.5));
+  const auto silent = clicks_in_background([](int, int) { return 0.0; });
+  CHECK(click_likeness(silent, train()).rise == doctest::Approx(0));
+}
+
+TEST_CASE("a band that holds nothing says nothing") {
+  const auto all = [](int click, int bin) { return slope(bin) * (1 + click % 3); };
+  PowerSpectrogram power = clicks_in_background(all);
+  const ClickLikeness whole = click_likeness(power, train());
+  power.P.bottomRows(150).setConstant(1e-8f);
+  const ClickLikeness limited = click_likeness(power, train());
+  CHECK(limited.dispersion < 1e-3);
+  CHECK(limited.rise > whole.rise);
+}
+
+TEST_CASE("one click resembles nothing") {
+  ClickTrain one = train();
+  one.P.resize(1);
+  const auto power = clicks_in_background([](int, int bin) { return slope(bin); });
+  CHECK(click_likeness(power, one).dispersion == 0);
+}
