@@ -64,8 +64,8 @@ DrillingEvidence look(const std::vector<float>& x, const MeanPsd& psd, const std
   const Selection selection = select_clicks(candidates, kDrillingRates);
   DrillingEvidence evidence;
   if (selection.block.size() >= kFewestClicks) evidence.clicks = fit_clicks(y, candidates, selection);
-  evidence.z = selection.mean_z * std::sqrt(noise_bandwidth(A, psd.N + kDrillingShare * psd.S));
   evidence.total = selection.total;
+  evidence.surplus = selection.surplus;
   evidence.fast_total = fast_total(candidates);
   dump_look(dump, pass, y, candidates, evidence.clicks);
   return evidence;
@@ -94,11 +94,12 @@ Factors explain(const PowerSpectrogram& power, const CsNmfOptions& options, Dril
 
 void dump_evidence(const Dump& dump, const std::string& pass, const DrillingEvidence& e) {
   Eigen::ArrayXXd figures(1, 10);
-  figures << static_cast<double>(e.clicks.P.size()), e.z, e.total, e.fast_total, e.irregularity,
+  figures << static_cast<double>(e.clicks.P.size()), e.total, e.surplus, e.fast_total, e.irregularity,
       e.likeness.dispersion, e.likeness.rise, e.likeness.rhythm, e.background_alone, e.with_clicks;
-  dump.table(pass + "_evidence",
-             "clicks,z,total,fast_total,irregularity,dispersion,rise,rhythm,background_alone,with_clicks",
-             figures);
+  dump.table(
+      pass + "_evidence",
+      "clicks,total,surplus,fast_total,irregularity,dispersion,rise,rhythm,background_alone,with_clicks",
+      figures);
 }
 
 ClipSplit split_without_denoising(const std::vector<float>& x, const Dump& dump) {

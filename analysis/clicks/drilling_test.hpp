@@ -14,8 +14,8 @@ namespace rigsound::analysis {
 /// What the clicks found in a recording look like.
 struct DrillingEvidence {
   ClickTrain clicks;
-  double z = 0;             ///< mean detection statistic of the selected clicks, in independent samples
   double total = 0;         ///< of the selected chain
+  double surplus = 0;       ///< of that total over chance
   double fast_total = 0;    ///< of the best chain faster than any drill
   double irregularity = 0;  ///< median of |ln(gap / median gap)|
   ClickLikeness likeness;
@@ -23,9 +23,10 @@ struct DrillingEvidence {
   double with_clicks = 0;       ///< divergence per cell with the click train's words
 };
 
-/// Why this is no drilling, or nothing when it may be. Silence and noise have no clicks that stand out; a
-/// swell (a rotary drill, beating tones) has no sharp rise; a voice or an instrument pulses faster than a
-/// drill or is not explained by one click spectrum repeated at the clicks' times. Thread: OFF.
+/// Why this is no drilling, or nothing when it may be. Every figure may object, and objections add up: noise
+/// has clicks no better than chance finds; a swell (a rotary drill, an idling diesel) has no sharp rise; a
+/// voice or an instrument pulses faster than a drill or is not explained by one click repeated; the notes and
+/// drums of music differ from one another, follow bars or keep no period. Thread: OFF.
 std::string no_drilling_reason(const DrillingEvidence& evidence);
 
 /// DrillingEvidence::irregularity of at least three clicks. Thread: OFF.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "clicks/gaps.hpp"
 #include "rigsound/analysis/chain.hpp"
@@ -15,6 +16,7 @@ constexpr double kMissCost = 2, kDoubleCost = 4, kPauseCost = 6 * kMissCost;
 constexpr double kShortestGap = 0.28, kLongestGap = 4.5, kDoubleBelow = 0.75;  // periods
 constexpr double kReferenceRate_hz = 5;  // the k-th highest candidate sets the scale, k = 5 a second
 constexpr double kScoreAtReference = 8.4, kScoreCap = 12;
+constexpr int kChanceDraws = 2;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// Robust squared deviation of ln g from ln of a whole number of periods.
@@ -66,6 +68,19 @@ double reference_statistic(const Candidates& candidates) {
   return z[std::min(static_cast<size_t>(k), z.size()) - 1];
 }
 
+/// What chance alone gives: the total of the best chain through as many candidates at random times.
+double total_by_chance(const std::vector<double>& score, double T_0, long length) {
+  std::mt19937_64 bits;  // always the same draws
+  double sum = 0;
+  std::vector<int> time(score.size());
+  for (int draw = 0; draw < kChanceDraws; ++draw) {
+    for (int& at : time) at = static_cast<int>(bits() % static_cast<unsigned long>(length));
+    std::sort(time.begin(), time.end());
+    sum += best_chain(time, score, T_0, length).total;
+  }
+  return sum / kChanceDraws;
+}
+
 std::vector<int> blocks_of(const Candidates& candidates, const Chain& chain) {
   std::vector<int> blocks;
   for (const int i : chain.chosen) blocks.push_back(candidates.block[i]);
@@ -105,7 +120,7 @@ Selection select_clicks(const Candidates& candidates, const RateRange& range) {
   if (candidates.block.size() < 4) return selection;
   const double reference = reference_statistic(candidates);
   const std::vector<double> score = scores(candidates, reference);
-  selection.total = -kInfinite;
+  selection.surplus = -kInfinite;
   for (const int T : period_hypotheses(candidates.z.min(reference), kBlockRate, range)) {
     Chain chain = best_chain(candidates.block, score, T, candidates.z.size());
     if (chain.chosen.size() > 3) {
@@ -113,13 +128,13 @@ Selection select_clicks(const Candidates& candidates, const RateRange& range) {
       if (std::fabs(refined / T - 1) < 0.35)
         chain = best_chain(candidates.block, score, refined, candidates.z.size());
     }
-    if (chain.total <= selection.total) continue;
+    const double surplus = chain.total - total_by_chance(score, T, candidates.z.size());
+    if (surplus <= selection.surplus) continue;
+    selection.surplus = surplus;
     selection.total = chain.total;
     selection.block = blocks_of(candidates, chain);
     selection.T_0 = selection.block.size() > 2 ? median_gap(selection.block) : T;
   }
-  for (const int block : selection.block)
-    selection.mean_z += candidates.z(block) / static_cast<double>(selection.block.size());
   return selection;
 }
 

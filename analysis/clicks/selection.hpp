@@ -26,10 +26,12 @@ struct Selection {
   std::vector<int> block;  ///< of the clicks, ascending
   double T_0 = 0;          ///< blocks, median gap
   double total = 0;        ///< of the chain
-  double mean_z = 0;       ///< detection statistic, mean over the clicks
+  double surplus = 0;      ///< of the total, over what the same candidates give at random times
 };
 
-/// Tries every period hypothesis within `range` and keeps the chain of the largest total. Thread: OFF.
+/// Tries every period hypothesis within `range` and keeps the chain whose total exceeds most what the same
+/// candidates would give at random times: a short period finds a candidate for every strike by chance.
+/// Thread: OFF.
 Selection select_clicks(const Candidates& candidates, const RateRange& range);
 
 }  // namespace rigsound::analysis

@@ -13,7 +13,8 @@ namespace rigsound::analysis {
 namespace {
 
 constexpr int kOrder = 64;
-constexpr double kEmptyBin = 1e-6;  ///< of the largest power; band-limited files end here
+constexpr double kDrillingShare = 0.1;  ///< of S in D: 0 would be a pure matched filter
+constexpr double kEmptyBin = 1e-6;      ///< of the largest power; band-limited files end here
 constexpr double kLargestOverMedian = 1e4;
 constexpr double kWhiteNoise = 1e-4;  ///< correction of r_0
 constexpr double kLagWindow_hz = 60;  ///< Gaussian
@@ -47,18 +48,6 @@ Eigen::ArrayXd noise_aware_whitener(const Eigen::ArrayXd& S, const Eigen::ArrayX
   r *= (-0.5 * (2 * EIGEN_PI * kLagWindow_hz * lag_s).square()).exp();
   r(0) *= 1 + kWhiteNoise;
   return levinson(r);
-}
-
-double noise_bandwidth(const Eigen::ArrayXd& A, const Eigen::ArrayXd& N) {
-  Eigen::FFT<double> fft;
-  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-  Eigen::VectorXd taps = Eigen::VectorXd::Zero(2 * (N.size() - 1));
-  taps.head(A.size()) = A.matrix();
-  Eigen::VectorXcd response;
-  fft.fwd(response, taps);
-  const Eigen::ArrayXd power = N * response.array().abs2();
-  if (power.sum() <= 0) return 1;
-  return power.sum() * power.sum() / (static_cast<double>(power.size()) * power.square().sum());
 }
 
 Eigen::ArrayXd lpc_whitener(const std::vector<float>& x, int order) {

@@ -6,18 +6,11 @@
 
 namespace rigsound::analysis {
 
-/// Of S in D: 0 would be a pure matched filter.
-constexpr double kDrillingShare = 0.1;
-
 /// Order-64 minimum-phase FIR whose power response follows 1/D, D(f) = (N + 0.1 S)(S + N)/S: it whitens where
 /// the drilling is loud and turns bins down where the background is. S, N: mean powers per bin of a 512-point
 /// transform (257 each). Applied to the mixture, not to the denoised signal: whitening a denoised signal
 /// would amplify its residue again. Thread: OFF.
 Eigen::ArrayXd noise_aware_whitener(const Eigen::ArrayXd& S, const Eigen::ArrayXd& N);
-
-/// Share of the band that a sound of the mean powers N fills behind the whitener, (sum g)^2 / (M sum g^2), g
-/// = N |A|^2: of the samples of a stretch of noise only this share is independent. 1 for N = 0. Thread: OFF.
-double noise_bandwidth(const Eigen::ArrayXd& A, const Eigen::ArrayXd& N);
 
 /// Prediction-error filter of `order` from the signal's own autocorrelation (drilling paper, 3.1). Thread:
 /// OFF.

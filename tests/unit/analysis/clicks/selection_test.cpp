@@ -74,3 +74,19 @@ TEST_CASE("the autocorrelation's peaks become period hypotheses") {
   for (const int T : periods)
     CHECK((3000.0 / T >= kDrillingRates.slowest_hz && 3000.0 / T <= kDrillingRates.fastest_hz));
 }
+
+TEST_CASE("strikes are mostly told from denser clutter, which any short period would find") {
+  constexpr int kStrikes = 200;  // blocks apart, 15 a second
+  int found = 0;
+  for (unsigned seed = 60; seed < 80; ++seed) {
+    TestNoise noise(seed);
+    Candidates candidates;
+    candidates.z = Eigen::ArrayXd::Zero(6000);
+    for (int t = 20; t < 6000; t += 15 + int(50 * noise.uniform())) candidates.z(t) = 5 + 2 * noise.uniform();
+    for (int t = 100; t < 6000; t += kStrikes) candidates.z(t) = 11 + 3 * noise.uniform();
+    for (int t = 0; t < 6000; ++t)
+      if (candidates.z(t) > 0) candidates.block.push_back(t);
+    if (std::abs(select_clicks(candidates, kDrillingRates).T_0 - kStrikes) < 10) ++found;
+  }
+  CHECK(found >= 12);  // of 20
+}

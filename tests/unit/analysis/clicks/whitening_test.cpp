@@ -63,11 +63,3 @@ TEST_CASE("the noise-aware whitener turns loud backgrounds down by (N + 0.1 S)(S
   for (const int f : {20, 60, 90, 120, 200})
     CHECK(response(f) / response(220) == doctest::Approx(D(220) / D(f)).epsilon(0.1));
 }
-
-TEST_CASE("the noise bandwidth is the share of the band a noise fills") {
-  Eigen::ArrayXd flat = Eigen::ArrayXd::Ones(1), N = Eigen::ArrayXd::Zero(257);
-  CHECK(noise_bandwidth(flat, Eigen::ArrayXd::Ones(257)) == doctest::Approx(1));
-  N.segment(30, 64).setOnes();
-  CHECK(noise_bandwidth(flat, N) == doctest::Approx(64.0 / 257));
-  CHECK(noise_bandwidth(flat, Eigen::ArrayXd::Zero(257)) == 1);
-}
