@@ -58,12 +58,12 @@ void dump_split(const Dump& dump, const std::string& step, const Spectrogram& X,
 
 /// Steps 2 to 5: one look for clicks through the whitener that the modelled powers suggest.
 DrillingEvidence look(const std::vector<float>& x, const MeanPsd& psd, const std::string& pass,
-                      const Dump& dump) {
+                      FitEffort effort, const Dump& dump) {
   const Eigen::ArrayXd A = noise_aware_whitener(psd.S, psd.N), y = whiten(x, A);
   const Candidates candidates = find_candidates(y);
   const Selection selection = select_clicks(candidates, kDrillingRates);
   DrillingEvidence evidence;
-  if (selection.block.size() >= kFewestClicks) evidence.clicks = fit_clicks(y, candidates, selection);
+  if (selection.block.size() >= kFewestClicks) evidence.clicks = fit_clicks(y, candidates, selection, effort);
   evidence.total = selection.total;
   evidence.surplus = selection.surplus;
   evidence.fast_total = fast_total(candidates);
@@ -72,24 +72,22 @@ DrillingEvidence look(const std::vector<float>& x, const MeanPsd& psd, const std
 }
 
 /// The last pass knows the clicks' envelope well enough to choose its decays by it.
-CsNmfOptions options_of(int pass, const ClickTrain& clicks) {
+CsNmfOptions options_of(bool last, const ClickTrain& clicks) {
   CsNmfOptions options;
-  if (pass + 1 < kPasses)
-    options.iterations = kRoughIterations;
-  else
+  if (last)
     options.decays = decays_around(clicks);
+  else
+    options.iterations = kRoughIterations;
   return options;
 }
 
-/// Step 6, and what it says about the clicks.
-Factors explain(const PowerSpectrogram& power, const CsNmfOptions& options, DrillingEvidence& evidence) {
-  const Factors factors = cs_nmf(power, evidence.clicks, options);
+/// What step 6 says about the clicks.
+void judge(const PowerSpectrogram& power, const Factors& factors, DrillingEvidence& evidence) {
   const Eigen::ArrayXf near = frames_near_clicks(evidence.clicks, power.frames);
   evidence.background_alone = mean_divergence(power, background_nmf(power), near);
   evidence.with_clicks = mean_divergence(power, factors, near);
   evidence.irregularity = irregularity(evidence.clicks);
   evidence.likeness = click_likeness(power, evidence.clicks);
-  return factors;
 }
 
 void dump_evidence(const Dump& dump, const std::string& pass, const DrillingEvidence& e) {
@@ -107,8 +105,9 @@ ClipSplit split_without_denoising(const std::vector<float>& x, const Dump& dump)
   ClipSplit split;
   split.signal_psd = power.P.leftCols(power.frames).cast<double>().rowwise().mean() * power.scale;
   split.noise_psd = Eigen::ArrayXd::Zero(split.signal_psd.size());
-  DrillingEvidence evidence = look(x, {split.signal_psd, split.noise_psd}, "only", dump);
-  if (evidence.clicks.P.size() >= kFewestClicks) explain(power, options_of(0, evidence.clicks), evidence);
+  DrillingEvidence evidence = look(x, {split.signal_psd, split.noise_psd}, "only", FitEffort::kFull, dump);
+  if (evidence.clicks.P.size() >= kFewestClicks)
+    judge(power, cs_nmf(power, evidence.clicks, options_of(false, evidence.clicks)), evidence);
   dump_evidence(dump, "only", evidence);
   split.reason = no_drilling_reason(evidence);
   split.clicks = std::move(evidence.clicks);
@@ -130,14 +129,22 @@ ClipSplit split_by_click_nmf(const std::vector<float>& x, const ChainOptions& op
   ClipSplit split;
   for (int pass = 0; pass < kPasses; ++pass) {
     const std::string name = fmt::format("pass{}", pass + 1);
-    DrillingEvidence evidence = look(x, mean_over_time(psd), name, dump);
-    if (evidence.clicks.P.size() >= kFewestClicks)
-      psd = modelled_psd(explain(power, options_of(pass, evidence.clicks), evidence), power);
+    const bool last = pass + 1 == kPasses;
+    const FitEffort effort = last ? FitEffort::kFull : FitEffort::kRough;
+    DrillingEvidence evidence = look(x, mean_over_time(psd), name, effort, dump);
+    const bool enough = evidence.clicks.P.size() >= kFewestClicks;
+    if (enough) {
+      const Factors factors = cs_nmf(power, evidence.clicks, options_of(last, evidence.clicks));
+      psd = modelled_psd(factors, power);
+      if (last) judge(power, factors, evidence);
+    }
     dump_split(dump, name, X, psd, x.size());
-    dump_evidence(dump, name, evidence);
-    split.reason = no_drilling_reason(evidence);
+    if (last || !enough) {
+      dump_evidence(dump, name, evidence);
+      split.reason = no_drilling_reason(evidence);
+    }
     split.clicks = std::move(evidence.clicks);
-    if (split.clicks.P.size() < kFewestClicks) break;
+    if (!enough) break;
   }
   if (!split.reason.empty()) psd = blind;
   split.drilling = inverse_stft(wiener(X, psd), x.size(), kChainStft);

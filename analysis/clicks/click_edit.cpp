@@ -14,6 +14,7 @@ namespace {
 // of the nominal evidence is what the development clips support.
 constexpr double kIndependentShare = 0.5;
 constexpr double kTooClose = 0.28, kNegligiblePower = 0.01;
+constexpr double kDoubleBelow = 0.75;  // periods: a closer click is a double strike, or an echo
 constexpr size_t kFewestClicks = 4;
 constexpr int kAmplitudeSteps = 5;
 constexpr double kNever = 1e8;
@@ -24,7 +25,13 @@ Eigen::ArrayXd variance(const EnvelopePower& shape, const ModelClicks& clicks, l
   return v;
 }
 
-/// The evidence click i must bring to stay.
+struct Requirement {
+  double gain;   ///< nats
+  double power;  ///< of the median
+};
+constexpr Requirement kInAGap{5, 0.04}, kAmongOthers{25, 0.15};
+
+/// The evidence click i must bring to stay: between others as much as to come.
 double needed_to_stay(const ModelClicks& clicks, size_t i, double T_0, double median_power) {
   const size_t last = clicks.onset.size() - 1;
   const double power = clicks.power(static_cast<long>(i));
@@ -35,19 +42,16 @@ double needed_to_stay(const ModelClicks& clicks, size_t i, double T_0, double me
     const size_t rival = before < after ? i - 1 : std::min(i + 1, last);
     if (power < clicks.power(static_cast<long>(rival))) return kNever;
   }
+  if (std::min(before, after) < kDoubleBelow * T_0)
+    return power < kAmongOthers.power * median_power ? kNever : kAmongOthers.gain;
   return before + after > 1.5 * T_0 ? 0.5 : 6.0;
 }
-
-struct Requirement {
-  double gain;   ///< nats
-  double power;  ///< of the median
-};
 
 Requirement needed_to_come(const std::vector<long>& onset, long at, double T_0) {
   const auto next = std::lower_bound(onset.begin(), onset.end(), at);
   const bool inside = next != onset.begin() && next != onset.end();
   const double gap = inside ? static_cast<double>(*next - *(next - 1)) / T_0 : 2.0;
-  return gap > 1.45 ? Requirement{5, 0.04} : Requirement{25, 0.15};
+  return gap > 1.45 ? kInAGap : kAmongOthers;
 }
 
 long distance_to_nearest(const std::vector<long>& onset, long at) {

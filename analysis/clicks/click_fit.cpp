@@ -12,7 +12,7 @@ namespace rigsound::analysis {
 namespace {
 
 constexpr int kCoarse = 8, kFine = 2;  // samples a block
-constexpr int kRounds = 3;
+constexpr int kRounds = 3, kRoughRounds = 2;
 constexpr long kFullRateReach = 16;
 
 double quantile(const Eigen::ArrayXd& x, double part) {
@@ -36,16 +36,16 @@ ModelClicks start(const Eigen::ArrayXd& q, const Selection& selection) {
   return clicks;
 }
 
-void coarse_rounds(const Eigen::ArrayXd& q, const std::vector<long>& candidates, double& T_0,
+void coarse_rounds(const Eigen::ArrayXd& q, const std::vector<long>& candidates, int rounds, double& T_0,
                    ClickEnvelope& envelope, ModelClicks& clicks) {
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     fit_envelope(q, T_0, {kCoarse, round == 0 ? 60 : 40, 3}, envelope, clicks);
     const EnvelopePower shape = envelope_power(envelope, kCoarse);
     const long reach = static_cast<long>((round == 0 ? 0.10 : 0.05) * T_0 / kCoarse) + 1;
     shift_clicks(q, shape, {reach, 1}, clicks);
     update_powers(q, TrainPower(shape, clicks.onset, q.size()), 4, kOutlierClip, clicks);
     remove_weak_clicks(q, shape, T_0 / kCoarse, kCoarse, clicks);
-    if (round + 1 < kRounds) add_missed_clicks(q, shape, T_0 / kCoarse, kCoarse, candidates, clicks);
+    if (round + 1 < rounds) add_missed_clicks(q, shape, T_0 / kCoarse, kCoarse, candidates, clicks);
     if (clicks.onset.size() > 3) T_0 = median_gap(clicks.onset) * kCoarse;
   }
 }
@@ -65,14 +65,20 @@ ClickTrain train_of(const ModelClicks& clicks, const ClickEnvelope& envelope, do
 
 }  // namespace
 
-ClickTrain fit_clicks(const Eigen::ArrayXd& y, const Candidates& candidates, const Selection& selection) {
+ClickTrain fit_clicks(const Eigen::ArrayXd& y, const Candidates& candidates, const Selection& selection,
+                      FitEffort effort) {
   const Eigen::ArrayXd q = block_power(y, kCoarse);
   std::vector<long> candidate_blocks;
   for (const int block : candidates.block) candidate_blocks.push_back(block * (kCandidateBlock / kCoarse));
   double T_0 = selection.T_0 * kCandidateBlock;
   ModelClicks clicks = start(q, selection);
   ClickEnvelope envelope = first_envelope(q, clicks.onset, T_0, kCoarse);
-  coarse_rounds(q, candidate_blocks, T_0, envelope, clicks);
+  const bool rough = effort == FitEffort::kRough;
+  coarse_rounds(q, candidate_blocks, rough ? kRoughRounds : kRounds, T_0, envelope, clicks);
+  if (rough) {
+    rescale(clicks, kCoarse, 1);
+    return train_of(clicks, envelope, T_0, y.size());
+  }
 
   rescale(clicks, kCoarse, kFine);
   fit_envelope(block_power(y, kFine), T_0, {kFine, 40, 2}, envelope, clicks);

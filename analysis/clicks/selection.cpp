@@ -16,7 +16,9 @@ constexpr double kMissCost = 2, kDoubleCost = 4, kPauseCost = 6 * kMissCost;
 constexpr double kShortestGap = 0.28, kLongestGap = 4.5, kDoubleBelow = 0.75;  // periods
 constexpr double kReferenceRate_hz = 5;  // the k-th highest candidate sets the scale, k = 5 a second
 constexpr double kScoreAtReference = 8.4, kScoreCap = 12;
-constexpr int kChanceDraws = 2;
+// All of what chance gives would favour long periods: strikes that are there leave chance less room.
+constexpr double kChanceShare = 0.5;
+constexpr int kChanceDraws = 6;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// Robust squared deviation of ln g from ln of a whole number of periods.
@@ -120,7 +122,7 @@ Selection select_clicks(const Candidates& candidates, const RateRange& range) {
   if (candidates.block.size() < 4) return selection;
   const double reference = reference_statistic(candidates);
   const std::vector<double> score = scores(candidates, reference);
-  selection.surplus = -kInfinite;
+  double best = -kInfinite;
   for (const int T : period_hypotheses(candidates.z.min(reference), kBlockRate, range)) {
     Chain chain = best_chain(candidates.block, score, T, candidates.z.size());
     if (chain.chosen.size() > 3) {
@@ -128,9 +130,10 @@ Selection select_clicks(const Candidates& candidates, const RateRange& range) {
       if (std::fabs(refined / T - 1) < 0.35)
         chain = best_chain(candidates.block, score, refined, candidates.z.size());
     }
-    const double surplus = chain.total - total_by_chance(score, T, candidates.z.size());
-    if (surplus <= selection.surplus) continue;
-    selection.surplus = surplus;
+    const double chance = total_by_chance(score, T, candidates.z.size());
+    if (chain.total - kChanceShare * chance <= best) continue;
+    best = chain.total - kChanceShare * chance;
+    selection.surplus = chain.total - chance;
     selection.total = chain.total;
     selection.block = blocks_of(candidates, chain);
     selection.T_0 = selection.block.size() > 2 ? median_gap(selection.block) : T;

@@ -52,7 +52,7 @@ TEST_CASE("the noise-aware whitener turns loud backgrounds down by (N + 0.1 S)(S
     N(f) = 0.2 + 2 * std::exp(-std::pow((f - 90) / 25.0, 2));
   }
   const Eigen::ArrayXd A = noise_aware_whitener(S, N);
-  CHECK(A.size() == 65);
+  CHECK(A.size() == 193);
   const auto response = [&](int f) {
     double re = 0, im = 0;
     for (int k = 0; k < 65; ++k)

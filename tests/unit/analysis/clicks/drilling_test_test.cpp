@@ -1,0 +1,84 @@
+// The drilling test: what it takes for an answer, figure by figure.
+#include "clicks/drilling_test.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "denoise/divergence.hpp"
+
+using namespace rigsound::analysis;
+
+namespace {
+
+/// A drill as recordings show it: 30 sharp, regular, similar blows a second that explain what changes.
+DrillingEvidence drill() {
+  DrillingEvidence e;
+  for (int i = 0; i < 60; ++i) e.clicks.P.push_back(1600 * i);
+  e.clicks.T_0 = 1600;
+  e.clicks.envelope.N_a = 50;
+  e.total = 150;
+  e.surplus = 120;
+  e.fast_total = 1;
+  e.irregularity = 0.04;
+  e.likeness = {0.16, 1.2, 0.02};
+  e.background_alone = kNoiseDivergence + 0.3;
+  e.with_clicks = kNoiseDivergence + 0.03;
+  return e;
+}
+
+bool refused(const std::function<void(DrillingEvidence&)>& change) {
+  DrillingEvidence e = drill();
+  change(e);
+  return !no_drilling_reason(e).empty();
+}
+
+std::string reason_after(const std::function<void(DrillingEvidence&)>& change) {
+  DrillingEvidence e = drill();
+  change(e);
+  return no_drilling_reason(e);
+}
+
+}  // namespace
+
+TEST_CASE("a drill is a drill, from 8 to 80 blows a second") {
+  CHECK(!refused([](DrillingEvidence&) {}));
+  CHECK(!refused([](DrillingEvidence& e) { e.clicks.T_0 = 48000 / 8.2; }));
+  CHECK(!refused([](DrillingEvidence& e) { e.clicks.T_0 = 48000 / 80.0; }));
+}
+
+TEST_CASE("each figure alone is reason enough when it is far out") {
+  CHECK(reason_after([](DrillingEvidence& e) { e.clicks.P.resize(5); }) == "5 clicks, expected 6 or more");
+  CHECK(reason_after([](DrillingEvidence& e) { e.clicks.T_0 = 48000 / 6.0; }) ==
+        "6.0 clicks a second are slow");
+  CHECK(reason_after([](DrillingEvidence& e) { e.clicks.envelope.N_a = 480, e.likeness.rise = 1; }) ==
+        "it swells in 10.0 ms instead of striking");
+  CHECK(reason_after([](DrillingEvidence& e) { e.surplus = 6; }) == "its clicks are 0.1 above chance");
+  CHECK(reason_after([](DrillingEvidence& e) { e.fast_total = 180; }) ==
+        "it pulses faster than 100 Hz, like a voice or a tone");
+  CHECK(reason_after([](DrillingEvidence& e) { e.likeness.dispersion = 0.5; }) ==
+        "its clicks do not resemble one another");
+  CHECK(reason_after([](DrillingEvidence& e) { e.likeness.rise = -0.5; }) ==
+        "its bands do not rise together");
+  CHECK(reason_after([](DrillingEvidence& e) { e.likeness.rhythm = 0.7; }) == "its clicks follow a rhythm");
+  CHECK(reason_after([](DrillingEvidence& e) { e.irregularity = std::log(1.5); }) ==
+        "its gaps differ by 50 %");
+  CHECK(reason_after([](DrillingEvidence& e) { e.with_clicks = e.background_alone - 0.06; }) ==
+        "a repeated click explains 20 % of its changes");
+}
+
+TEST_CASE("a hard attack excuses a long one: a bent attack of a clear blow is no swell") {
+  CHECK(refused([](DrillingEvidence& e) { e.clicks.envelope.N_a = 350, e.likeness.rise = 1; }));
+  CHECK(!refused([](DrillingEvidence& e) { e.clicks.envelope.N_a = 350, e.likeness.rise = 2.9; }));
+}
+
+TEST_CASE("objections add up, and the reason names those that count") {
+  const auto alike = [](DrillingEvidence& e) { e.likeness.dispersion = 0.30; };
+  const auto regular = [](DrillingEvidence& e) { e.irregularity = 0.29; };
+  CHECK(!refused(alike));
+  CHECK(!refused(regular));
+  CHECK(reason_after([&](DrillingEvidence& e) { alike(e), regular(e); }) ==
+        "its clicks do not resemble one another, its gaps differ by 34 %");
+}
