@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "clicks/gaps.hpp"
-#include "clicks/median.hpp"
+#include "clicks/quantile.hpp"
 
 namespace rigsound::analysis {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "clicks/median.hpp"
+#include "clicks/quantile.hpp"
 #include "clicks/shift_search.hpp"
 
 namespace rigsound::analysis {

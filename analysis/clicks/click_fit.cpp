@@ -6,6 +6,7 @@
 #include "clicks/click_edit.hpp"
 #include "clicks/envelope_fit.hpp"
 #include "clicks/gaps.hpp"
+#include "clicks/quantile.hpp"
 #include "clicks/shift_search.hpp"
 
 namespace rigsound::analysis {
@@ -14,13 +15,6 @@ namespace {
 constexpr int kCoarse = 8, kFine = 2;  // samples a block
 constexpr int kRounds = 3, kRoughRounds = 2;
 constexpr long kFullRateReach = 16;
-
-double quantile(const Eigen::ArrayXd& x, double part) {
-  std::vector<double> sorted(x.begin(), x.end());
-  const auto at = sorted.begin() + static_cast<long>(part * static_cast<double>(sorted.size() - 1));
-  std::nth_element(sorted.begin(), at, sorted.end());
-  return *at;
-}
 
 void rescale(ModelClicks& clicks, int from, int to) {
   for (long& P : clicks.onset) P = std::lround(static_cast<double>(P) * from / to);
@@ -32,7 +26,7 @@ ModelClicks start(const Eigen::ArrayXd& q, const Selection& selection) {
   rescale(clicks, kCandidateBlock, kCoarse);
   clicks.power =
       Eigen::ArrayXd::Constant(static_cast<long>(clicks.onset.size()), 3 * std::max(q.mean(), 1e-3));
-  clicks.floor = std::max(1e-4, 0.5 * quantile(q, 0.1));
+  clicks.floor = std::max(1e-4, 0.5 * quantile({q.begin(), q.end()}, 0.1));
   return clicks;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "clicks/quantile.hpp"
 #include "clicks/rhythm.hpp"
 #include "rigsound/analysis/chain.hpp"
 
@@ -47,9 +48,7 @@ Eigen::ArrayXd quiet_powers(const Eigen::ArrayXXd& bands, long length) {
     std::vector<double> means;
     for (long frame = 0; frame + length <= bands.cols(); ++frame)
       means.push_back(bands.row(band).segment(frame, length).mean());
-    const auto at = means.begin() + static_cast<long>(kFloorQuantile * static_cast<double>(means.size() - 1));
-    std::nth_element(means.begin(), at, means.end());
-    quiet(band) = *at;
+    quiet(band) = quantile(std::move(means), kFloorQuantile);
   }
   return quiet;
 }

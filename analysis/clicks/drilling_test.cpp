@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "clicks/gaps.hpp"
-#include "clicks/median.hpp"
+#include "clicks/quantile.hpp"
 #include "denoise/divergence.hpp"
 #include "rigsound/analysis/chain.hpp"
 
@@ -45,14 +45,16 @@ double by_ratio(double value, double usual, double limit) {
 std::array<Objection, 9> objections(const DrillingEvidence& e) {
   const double rate = kAnalysisRate / e.clicks.T_0;
   const double attack_ms = 1000 * e.clicks.envelope.N_a / kAnalysisRate;
-  const double swell_ms = attack_ms / std::max(1.0, e.likeness.rise);
+  // Long in itself, unless it rises steeply, and long for its period.
+  const double swell = std::min(by_ratio(attack_ms / std::max(1.0, e.likeness.rise), 2.3, 5.4),
+                                by_ratio(e.clicks.envelope.N_a / e.clicks.T_0, 0.1, 0.17));
   const double surplus = e.surplus / static_cast<double>(e.clicks.P.size());
   const double unexplained = std::max(e.background_alone - kNoiseDivergence, kUnexplained);
   const double explained = (e.background_alone - e.with_clicks) / unexplained;
   const double pulses = e.fast_total / std::max(e.total, 1.0);
   return {{
       {by_ratio(rate, 12, 6.8), fmt::format("{:.1f} clicks a second are slow", rate)},
-      {by_ratio(swell_ms, 2.3, 5.4), fmt::format("it swells in {:.1f} ms instead of striking", attack_ms)},
+      {swell, fmt::format("it swells in {:.1f} ms instead of striking", attack_ms)},
       {on_a_scale(surplus, 1, 0.3), fmt::format("its clicks are {:.1f} above chance", surplus)},
       {on_a_scale(pulses, 0.05, 1), "it pulses faster than 100 Hz, like a voice or a tone"},
       {by_ratio(e.likeness.dispersion, 0.215, 0.32), "its clicks do not resemble one another"},

@@ -6,8 +6,8 @@
 #include "clicks/envelope.hpp"
 #include "clicks/gaps.hpp"
 #include "clicks/integrated_energy.hpp"
-#include "clicks/median.hpp"
 #include "clicks/nelder_mead.hpp"
+#include "clicks/quantile.hpp"
 #include "clicks/train_power.hpp"
 
 namespace rigsound::analysis {

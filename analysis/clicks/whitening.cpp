@@ -6,7 +6,7 @@
 #include <complex>
 
 #include "clicks/levinson.hpp"
-#include "clicks/median.hpp"
+#include "clicks/quantile.hpp"
 #include "rigsound/analysis/chain.hpp"
 
 namespace rigsound::analysis {

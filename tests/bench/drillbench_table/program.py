@@ -60,7 +60,9 @@ class Program:
 
     def kernels(self):
         """Figures of nmf_bench, built beside the binary."""
-        bench = os.path.join(os.path.dirname(self.binary), '..', 'tests', 'bench', 'nmf_bench')
+        bench = os.path.normpath(os.path.join(os.path.dirname(self.binary), '..', 'tests', 'bench', 'nmf_bench'))
+        if not os.path.exists(bench):
+            raise SystemExit('%s: not built, expected beside the binary' % bench)
         return json.loads(subprocess.run([bench, '--json'], capture_output=True, text=True, check=True).stdout)
 
     def analyze(self, recording, sound_set, *options):

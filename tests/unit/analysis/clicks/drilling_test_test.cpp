@@ -69,9 +69,10 @@ TEST_CASE("each figure alone is reason enough when it is far out") {
         "a repeated click explains 20 % of its changes");
 }
 
-TEST_CASE("a hard attack excuses a long one: a bent attack of a clear blow is no swell") {
+TEST_CASE("a steep rise or a long period excuses a long attack") {
   CHECK(refused([](DrillingEvidence& e) { e.clicks.envelope.N_a = 350, e.likeness.rise = 1; }));
   CHECK(!refused([](DrillingEvidence& e) { e.clicks.envelope.N_a = 350, e.likeness.rise = 2.9; }));
+  CHECK(!refused([](DrillingEvidence& e) { e.clicks.envelope.N_a = 350, e.clicks.T_0 = 3500; }));
 }
 
 TEST_CASE("objections add up, and the reason names those that count") {

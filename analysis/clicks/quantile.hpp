@@ -1,10 +1,17 @@
-// The middle of a list of figures.
+// Quantiles of a list of figures.
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
 namespace rigsound::analysis {
+
+/// The value below which `part` (0 to 1) of at least one value lies, one of them. Thread: OFF.
+inline double quantile(std::vector<double> values, double part) {
+  const auto at = values.begin() + static_cast<long>(part * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
 
 /// The upper median of at least one value. Thread: OFF.
 inline double median(std::vector<double> values) {
