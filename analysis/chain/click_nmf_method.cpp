@@ -66,7 +66,7 @@ DrillingEvidence look(const std::vector<float>& x, const MeanPsd& psd, const std
   if (selection.block.size() >= kFewestClicks) evidence.clicks = fit_clicks(y, candidates, selection, effort);
   evidence.total = selection.total;
   evidence.surplus = selection.surplus;
-  evidence.fast_total = fast_total(candidates);
+  if (effort == FitEffort::kFull) evidence.fast_total = fast_total(candidates);
   dump_look(dump, pass, y, candidates, evidence.clicks);
   return evidence;
 }

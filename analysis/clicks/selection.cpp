@@ -19,6 +19,7 @@ constexpr double kScoreAtReference = 8.4, kScoreCap = 12;
 // All of what chance gives would favour long periods: strikes that are there leave chance less room.
 constexpr double kChanceShare = 0.5;
 constexpr int kChanceDraws = 6;
+constexpr double kLn[] = {0, 0, 0.69314718055994531, 1.0986122886681098, 1.3862943611198906};  // of 2, 3, 4
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// Robust squared deviation of ln g from ln of a whole number of periods.
@@ -93,9 +94,10 @@ std::vector<int> blocks_of(const Candidates& candidates, const Chain& chain) {
 
 double gap_cost(double g) {
   if (g < kShortestGap || g > kLongestGap) return kInfinite;
-  double cost = deviation_cost(std::log(g), 0.2);
+  const double ln_g = std::log(g);
+  double cost = deviation_cost(ln_g, 0.2);
   for (int k = 2; k <= 4; ++k)
-    cost = std::min(cost, kMissCost * (k - 1) + deviation_cost(std::log(g / k), 0.16));
+    cost = std::min(cost, kMissCost * (k - 1) + deviation_cost(ln_g - kLn[k], 0.16));
   return g < kDoubleBelow ? std::min(cost, kDoubleCost) : cost;
 }
 
