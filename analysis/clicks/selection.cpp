@@ -16,8 +16,8 @@ constexpr double kMissCost = 2, kDoubleCost = 4, kPauseCost = 6 * kMissCost;
 constexpr double kShortestGap = 0.28, kLongestGap = 4.5, kDoubleBelow = 0.75;  // periods
 constexpr double kReferenceRate_hz = 5;  // the k-th highest candidate sets the scale, k = 5 a second
 constexpr double kScoreAtReference = 8.4, kScoreCap = 12;
-// Not all of what chance gives: it has many candidates a long period to choose from, of which strikes that are
-// there leave it few, and slow drills would be found at half their period.
+// Not all of what chance gives: it has many candidates a long period to choose from, of which strikes that
+// are there leave it few, and slow drills would be found at half their period.
 constexpr double kChanceShare = 0.5;
 constexpr int kChanceDraws = 6;
 constexpr double kLn[] = {0, 0, 0.69314718055994531, 1.0986122886681098, 1.3862943611198906};  // of 2, 3, 4
