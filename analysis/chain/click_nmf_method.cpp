@@ -19,6 +19,10 @@ namespace rigsound::analysis {
 namespace {
 
 constexpr int kPasses = 2;
+// Strikes deep in noise are found from some random starts and not from others. A later start must convince,
+// or music would have three tries.
+constexpr unsigned kStarts = 3;
+constexpr double kFirstTolerance = 1, kLaterTolerance = 0.5;
 constexpr int kRoughIterations = 90;  // of step 6, where its result only guides another look
 constexpr size_t kFewestClicks = 4;   // for a fit
 
@@ -109,20 +113,17 @@ ClipSplit split_without_denoising(const std::vector<float>& x, const Dump& dump)
   if (evidence.clicks.P.size() >= kFewestClicks)
     judge(power, cs_nmf(power, evidence.clicks, options_of(false, evidence.clicks)), evidence);
   dump_evidence(dump, "only", evidence);
-  split.reason = no_drilling_reason(evidence);
+  split.reason = no_drilling_reason(evidence, kFirstTolerance);
   split.clicks = std::move(evidence.clicks);
   split.drilling = x;
   return split;
 }
 
-}  // namespace
-
-ClipSplit split_by_click_nmf(const std::vector<float>& x, const ChainOptions& options, const Dump& dump) {
-  if (!options.denoise) return split_without_denoising(x, dump);
-  const Spectrogram X = stft(x, kChainStft);
-  const PowerSpectrogram power = power_spectrogram(X);
+/// Steps 1 to 6 from one random start.
+ClipSplit split_from(unsigned seed, double tolerance, const std::vector<float>& x, const Spectrogram& X,
+                     const PowerSpectrogram& power, const Dump& dump) {
   InitialNmfOptions initial;
-  initial.seed = options.seed;
+  initial.seed = seed;
   const PsdPair blind = modelled_psd(initial_nmf(power, initial), power);
   dump_split(dump, "blind", X, blind, x.size());
   PsdPair psd = blind;
@@ -141,7 +142,7 @@ ClipSplit split_by_click_nmf(const std::vector<float>& x, const ChainOptions& op
     dump_split(dump, name, X, psd, x.size());
     if (last || !enough) {
       dump_evidence(dump, name, evidence);
-      split.reason = no_drilling_reason(evidence);
+      split.reason = no_drilling_reason(evidence, tolerance);
     }
     split.clicks = std::move(evidence.clicks);
     if (!enough) break;
@@ -151,6 +152,18 @@ ClipSplit split_by_click_nmf(const std::vector<float>& x, const ChainOptions& op
   const MeanPsd mean = mean_over_time(psd);
   split.signal_psd = mean.S;
   split.noise_psd = mean.N;
+  return split;
+}
+
+}  // namespace
+
+ClipSplit split_by_click_nmf(const std::vector<float>& x, const ChainOptions& options, const Dump& dump) {
+  if (!options.denoise) return split_without_denoising(x, dump);
+  const Spectrogram X = stft(x, kChainStft);
+  const PowerSpectrogram power = power_spectrogram(X);
+  ClipSplit split = split_from(options.seed, kFirstTolerance, x, X, power, dump);
+  for (unsigned start = 1; start < kStarts && !split.reason.empty(); ++start)
+    split = split_from(options.seed + start, kLaterTolerance, x, X, power, dump);
   return split;
 }
 

@@ -89,13 +89,13 @@ Eigen::ArrayXf frames_near_clicks(const ClickTrain& train, int frames) {
   return near;
 }
 
-std::string no_drilling_reason(const DrillingEvidence& e) {
+std::string no_drilling_reason(const DrillingEvidence& e, double tolerance) {
   if (e.clicks.P.size() < kFewestClicks)
     return fmt::format("{} clicks, expected {} or more", e.clicks.P.size(), kFewestClicks);
   std::array<Objection, 9> against = objections(e);
   const double sum = std::accumulate(against.begin(), against.end(), 0.0,
                                      [](double total, const Objection& o) { return total + o.weight; });
-  if (sum <= 1) return {};
+  if (sum <= tolerance) return {};
   std::stable_sort(against.begin(), against.end(),
                    [](const Objection& a, const Objection& b) { return a.weight > b.weight; });
   std::string reason;

@@ -32,13 +32,13 @@ DrillingEvidence drill() {
 bool refused(const std::function<void(DrillingEvidence&)>& change) {
   DrillingEvidence e = drill();
   change(e);
-  return !no_drilling_reason(e).empty();
+  return !no_drilling_reason(e, 1).empty();
 }
 
 std::string reason_after(const std::function<void(DrillingEvidence&)>& change) {
   DrillingEvidence e = drill();
   change(e);
-  return no_drilling_reason(e);
+  return no_drilling_reason(e, 1);
 }
 
 }  // namespace
@@ -82,4 +82,12 @@ TEST_CASE("objections add up, and the reason names those that count") {
   CHECK(!refused(regular));
   CHECK(reason_after([&](DrillingEvidence& e) { alike(e), regular(e); }) ==
         "its clicks do not resemble one another, its gaps differ by 34 %");
+}
+
+TEST_CASE("a smaller tolerance asks for a clearer drill") {
+  DrillingEvidence e = drill();
+  CHECK(no_drilling_reason(e, 0.5).empty());
+  e.likeness.dispersion = 0.30;
+  CHECK(no_drilling_reason(e, 1).empty());
+  CHECK(no_drilling_reason(e, 0.5) == "its clicks do not resemble one another");
 }
