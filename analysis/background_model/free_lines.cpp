@@ -88,20 +88,28 @@ std::vector<int> predictable_channels(const View& view, double lowest, double hi
   return found;
 }
 
-/// `view` around frequency `centre`, turned down to zero; eight values a channel width.
-std::vector<Complex> baseband(const View& view, double centre) {
-  const auto hop = static_cast<std::size_t>(view.M / 4);
+/// A phase of so many cycles, in 0...1.
+double wrapped(double turns) { return turns - std::floor(turns); }
+
+/// Sums of `x` in Hann windows of two hops, half overlapped, turned down by `phase` (cycles) of every sample.
+template <class Phase>
+std::vector<Complex> turned_down(const Signal& x, std::size_t hop, Phase phase) {
   std::vector<Complex> z;
-  for (std::size_t at = 0; at + 2 * hop <= view.y.size(); at += hop) {
+  for (std::size_t at = 0; at + 2 * hop <= x.size(); at += hop) {
     Complex sum = 0;
     for (std::size_t i = 0; i < 2 * hop; ++i) {
       const double hann = 0.5 - 0.5 * std::cos(M_PI * static_cast<double>(i) / static_cast<double>(hop));
-      const double phase = centre / view.rate * static_cast<double>(at + i);
-      sum += hann * view.y[at + i] * std::polar(1.0, -2 * M_PI * (phase - std::floor(phase)));
+      sum += hann * x[at + i] * std::polar(1.0, -2 * M_PI * phase(at + i));
     }
     z.push_back(sum);
   }
   return z;
+}
+
+/// `view` around frequency `centre`, turned down to zero; eight values a channel width.
+std::vector<Complex> baseband(const View& view, double centre) {
+  return turned_down(view.y, static_cast<std::size_t>(view.M / 4),
+                     [&](std::size_t n) { return wrapped(centre / view.rate * static_cast<double>(n)); });
 }
 
 /// The strongest peak in channel `q`, if it stands clear of what is half a channel around it.
@@ -150,15 +158,8 @@ std::vector<Peak> peaks_of(const View& view, double lowest, double highest) {
 /// Half the complex amplitude of a line in blocks of kBlock_s, half overlapped.
 std::vector<Complex> envelope(const Signal& x, const Signal& phase) {
   const auto hop = static_cast<std::size_t>(kBlock_s * kAnalysisRate / 2);
-  std::vector<Complex> c;
-  for (std::size_t at = 0; at + 2 * hop <= x.size(); at += hop) {
-    Complex sum = 0;
-    for (std::size_t i = 0; i < 2 * hop; ++i) {
-      const double hann = 0.5 - 0.5 * std::cos(M_PI * static_cast<double>(i) / static_cast<double>(hop));
-      sum += hann * x[at + i] * std::polar(1.0, -2 * M_PI * phase[at + i]);
-    }
-    c.push_back(sum / static_cast<double>(hop));
-  }
+  std::vector<Complex> c = turned_down(x, hop, [&](std::size_t n) { return phase[n]; });
+  for (Complex& block : c) block /= static_cast<double>(hop);
   return c;
 }
 
@@ -167,7 +168,7 @@ Signal phase_of(const Section& s, double frequency, bool order_locked) {
   Signal phase;
   for (std::size_t n = 0; n < s.theta.size(); ++n) {
     const double turns = frequency * (order_locked ? s.theta[n] : static_cast<double>(n) / kAnalysisRate);
-    phase.push_back(turns - std::floor(turns));
+    phase.push_back(wrapped(turns));
   }
   return phase;
 }

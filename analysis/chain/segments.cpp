@@ -13,7 +13,6 @@ namespace {
 constexpr long kLongestClip = static_cast<long>(4 * kAnalysisRate);
 constexpr long kCore = static_cast<long>(3 * kAnalysisRate);
 constexpr long kSameClick = static_cast<long>(0.002 * kAnalysisRate);
-constexpr double kTooClose = 0.28;  // periods, as in the selection
 
 /// Clicks of one segment in samples of the whole recording.
 struct Placed {
@@ -74,7 +73,7 @@ ClickTrain join_clicks(const std::vector<Segment>& segments, const std::vector<C
     const long to =
         last ? segments[k].end
              : seam(here, place(segments[k + 1], results[k + 1]), segments[k + 1].begin, segments[k].end);
-    append(here, from, to, kTooClose * results[k].clicks.T_0, train);
+    append(here, from, to, kShortestGap * results[k].clicks.T_0, train);
     from = to;
   }
   if (train.P.size() > 2) train.T_0 = median_gap(train.P);

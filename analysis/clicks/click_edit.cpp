@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "clicks/gaps.hpp"
 #include "clicks/quantile.hpp"
 #include "clicks/shift_search.hpp"
 
@@ -13,8 +14,7 @@ namespace {
 // Neighbouring samples of a click are not independent: the modes it excites ring through the whitening. Half
 // of the nominal evidence is what the development clips support.
 constexpr double kIndependentShare = 0.5;
-constexpr double kTooClose = 0.28, kNegligiblePower = 0.01;
-constexpr double kDoubleBelow = 0.75;  // periods: a closer click is a double strike, or an echo
+constexpr double kNegligiblePower = 0.01;
 constexpr size_t kFewestClicks = 4;
 constexpr int kAmplitudeSteps = 5;
 constexpr double kNever = 1e8;
@@ -38,7 +38,7 @@ double needed_to_stay(const ModelClicks& clicks, size_t i, double T_0, double me
   const double before = i > 0 ? static_cast<double>(clicks.onset[i] - clicks.onset[i - 1]) : T_0;
   const double after = i < last ? static_cast<double>(clicks.onset[i + 1] - clicks.onset[i]) : T_0;
   if (power < kNegligiblePower * median_power) return kNever;
-  if (std::min(before, after) < kTooClose * T_0) {
+  if (std::min(before, after) < kShortestGap * T_0) {
     const size_t rival = before < after ? i - 1 : std::min(i + 1, last);
     if (power < clicks.power(static_cast<long>(rival))) return kNever;
   }

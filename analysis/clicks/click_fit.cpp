@@ -26,7 +26,7 @@ ModelClicks start(const Eigen::ArrayXd& q, const Selection& selection) {
   rescale(clicks, kCandidateBlock, kCoarse);
   clicks.power =
       Eigen::ArrayXd::Constant(static_cast<long>(clicks.onset.size()), 3 * std::max(q.mean(), 1e-3));
-  clicks.floor = std::max(1e-4, 0.5 * quantile({q.begin(), q.end()}, 0.1));
+  clicks.floor = std::max(1e-4, 0.5 * quantile(std::vector<double>(q.begin(), q.end()), 0.1));
   return clicks;
 }
 

@@ -92,7 +92,7 @@ Eigen::ArrayXf frames_near_clicks(const ClickTrain& train, int frames) {
 std::string no_drilling_reason(const DrillingEvidence& e, double tolerance) {
   if (e.clicks.P.size() < kFewestClicks)
     return fmt::format("{} clicks, expected {} or more", e.clicks.P.size(), kFewestClicks);
-  std::array<Objection, 9> against = objections(e);
+  auto against = objections(e);
   const double sum = std::accumulate(against.begin(), against.end(), 0.0,
                                      [](double total, const Objection& o) { return total + o.weight; });
   if (sum <= tolerance) return {};

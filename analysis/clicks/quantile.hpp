@@ -7,7 +7,8 @@
 namespace rigsound::analysis {
 
 /// The value below which `part` (0 to 1) of at least one value lies, one of them. Thread: OFF.
-inline double quantile(std::vector<double> values, double part) {
+template <class Value>
+Value quantile(std::vector<Value> values, double part) {
   const auto at = values.begin() + static_cast<long>(part * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;

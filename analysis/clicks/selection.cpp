@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kBlockRate = kAnalysisRate / kCandidateBlock;
 constexpr double kMissCost = 2, kDoubleCost = 4, kPauseCost = 6 * kMissCost;
-constexpr double kShortestGap = 0.28, kLongestGap = 4.5, kDoubleBelow = 0.75;  // periods
+constexpr double kLongestGap = 4.5;      // periods
 constexpr double kReferenceRate_hz = 5;  // the k-th highest candidate sets the scale, k = 5 a second
 constexpr double kScoreAtReference = 8.4, kScoreCap = 12;
 // Not all of what chance gives: it has many candidates a long period to choose from, of which strikes that
@@ -72,16 +72,22 @@ double reference_statistic(const Candidates& candidates) {
   return z[std::min(static_cast<size_t>(k), z.size()) - 1];
 }
 
-/// What chance alone gives: the total of the best chain through as many candidates at random times.
-double total_by_chance(const std::vector<double>& score, double T_0, long length) {
-  std::mt19937_64 bits;  // always the same draws
-  double sum = 0;
-  std::vector<int> time(score.size());
-  for (int draw = 0; draw < kChanceDraws; ++draw) {
+/// `count` random times within `length`, ascending, for every draw; always the same.
+std::vector<std::vector<int>> random_times(size_t count, long length) {
+  std::mt19937_64 bits;
+  std::vector<std::vector<int>> draws(kChanceDraws, std::vector<int>(count));
+  for (std::vector<int>& time : draws) {
     for (int& at : time) at = static_cast<int>(bits() % static_cast<unsigned long>(length));
     std::sort(time.begin(), time.end());
-    sum += best_chain(time, score, T_0, length).total;
   }
+  return draws;
+}
+
+/// What chance alone gives: the total of the best chain through the candidates at random times.
+double total_by_chance(const std::vector<std::vector<int>>& draws, const std::vector<double>& score,
+                       double T_0, long length) {
+  double sum = 0;
+  for (const std::vector<int>& time : draws) sum += best_chain(time, score, T_0, length).total;
   return sum / kChanceDraws;
 }
 
@@ -125,6 +131,7 @@ Selection select_clicks(const Candidates& candidates, const RateRange& range) {
   if (candidates.block.size() < 4) return selection;
   const double reference = reference_statistic(candidates);
   const std::vector<double> score = scores(candidates, reference);
+  const std::vector<std::vector<int>> draws = random_times(score.size(), candidates.z.size());
   double best = -kInfinite;
   for (const int T : period_hypotheses(candidates.z.min(reference), kBlockRate, range)) {
     Chain chain = best_chain(candidates.block, score, T, candidates.z.size());
@@ -133,7 +140,7 @@ Selection select_clicks(const Candidates& candidates, const RateRange& range) {
       if (std::fabs(refined / T - 1) < 0.35)
         chain = best_chain(candidates.block, score, refined, candidates.z.size());
     }
-    const double chance = total_by_chance(score, T, candidates.z.size());
+    const double chance = total_by_chance(draws, score, T, candidates.z.size());
     if (chain.total - kChanceShare * chance <= best) continue;
     best = chain.total - kChanceShare * chance;
     selection.surplus = chain.total - chance;

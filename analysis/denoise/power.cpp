@@ -3,19 +3,13 @@
 #include <algorithm>
 #include <vector>
 
+#include "clicks/quantile.hpp"
 #include "kernels/is_kernels.hpp"
 
 namespace rigsound::analysis {
 namespace {
 
 constexpr float kPowerFloor = 1e-7f;  ///< of the mean power
-
-float quantile(const Eigen::Ref<const Eigen::Array<float, 1, Eigen::Dynamic>>& row, double part) {
-  std::vector<float> sorted(row.data(), row.data() + row.size());
-  const auto at = sorted.begin() + static_cast<long>(part * static_cast<double>(sorted.size() - 1));
-  std::nth_element(sorted.begin(), at, sorted.end());
-  return *at;
-}
 
 }  // namespace
 
@@ -34,7 +28,9 @@ Eigen::ArrayXf noise_level(const PowerSpectrogram& power, float start) {
   Eigen::ArrayXf level(power.bins());
   for (int m = 0; m < power.bins(); ++m) {
     const auto row = power.P.row(m).head(power.frames);
-    level(m) = std::min(start * quantile(row, 0.2) / 0.223f, 0.9f * row.mean());
+    level(m) =
+        std::min(start * quantile(std::vector<float>(row.data(), row.data() + row.size()), 0.2) / 0.223f,
+                 0.9f * row.mean());
   }
   return level;
 }

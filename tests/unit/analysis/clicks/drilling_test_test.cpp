@@ -29,17 +29,13 @@ DrillingEvidence drill() {
   return e;
 }
 
-bool refused(const std::function<void(DrillingEvidence&)>& change) {
-  DrillingEvidence e = drill();
-  change(e);
-  return !no_drilling_reason(e, 1).empty();
-}
-
 std::string reason_after(const std::function<void(DrillingEvidence&)>& change) {
   DrillingEvidence e = drill();
   change(e);
   return no_drilling_reason(e, 1);
 }
+
+bool refused(const std::function<void(DrillingEvidence&)>& change) { return !reason_after(change).empty(); }
 
 }  // namespace
 
