@@ -1,62 +1,54 @@
 #include "rigsound/engine.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+#include <cmath>
+#include <optional>
 
-#include "background/background_layer.hpp"
+#include "diesel/diesel_layer.hpp"
 #include "drill/drill_layer.hpp"
 #include "engine_check.hpp"
 #include "impact/impact_train.hpp"
 #include "mix/mixer.hpp"
+#include "rigsound/machine/state_guard.hpp"
 #include "scene/boom_scene.hpp"
 #include "scene/rig_scene.hpp"
-#include "scene/state_guard.hpp"
 #include "tool/tool_layer.hpp"
 
 namespace rigsound {
 namespace {
 
-/// One drill: its scene, its blows, and the two layers that hear them.
+/// One drill: its scene, its impacts, and the two layers that hear them.
 struct Boom {
   Boom(const EngineOptions& options, const SoundSet& sounds, int index)
-      : scene(options, sounds), impacts(options.seed, index), drill(options.seed, index) {
-    const int tool_index = options.booms[static_cast<std::size_t>(index)].tool;
-    if (tool_index >= 0)
-      tool.emplace_back(sounds.tools[static_cast<std::size_t>(tool_index)], options.sample_rate, options.seed,
-                        index);
+      : scene(options, sounds), train(options.seed, index), drill(options.seed, index) {
+    const int tool_index = options.booms[index].tool;
+    if (tool_index >= 0) tool.emplace(sounds.tools[tool_index], options.sample_rate, options.seed, index);
   }
 
   void process(double* drill_bus, double* tool_bus) noexcept {
     scene.advance();
-    impacts.process(scene.statistics());
-    drill.process(scene.slots(), scene.state().controls, impacts, drill_bus);
-    if (tool.empty())
-      std::fill(tool_bus, tool_bus + kChunk, 0.0);
+    train.process(scene.impacts());
+    drill.process(scene.drill(), train.impacts(), drill_bus);
+    if (tool)
+      tool->process(scene.tool(), train.impacts(), tool_bus);
     else
-      tool.front().process(impacts.begin(), impacts.count(), tool_controls(), tool_bus);
-  }
-
-  tool::ToolControls tool_controls() const noexcept {
-    tool::ToolControls controls;
-    if (scene.statistics().T_0 > 0) controls.period = scene.statistics().T_0;
-    controls.rods = scene.state().rod_count;
-    return controls;
+      std::fill(tool_bus, tool_bus + kChunk, 0.0);
   }
 
   scene::BoomScene scene;
-  impact::ImpactTrain impacts;
+  impact::ImpactTrain train;
   drill::DrillLayer drill;
-  std::vector<tool::ToolLayer> tool;  ///< none or one
+  std::optional<tool::ToolLayer> tool;
 };
 
 }  // namespace
 
-struct Engine::Rooms {
-  Rooms(const EngineOptions& o, SoundSet s)
+struct Engine::Parts {
+  Parts(const EngineOptions& o, SoundSet s)
       : options(o),
         sounds(std::move(s)),
         rig(options),
-        background(sounds.backgrounds, options.sample_rate, options.seed, options.scene.idle_rpm),
+        diesel(sounds.diesels, options.sample_rate, options.seed, options.scene.idle_rpm),
         mixer(options) {
     for (int b = 0; b < static_cast<int>(options.booms.size()); ++b) booms.emplace_back(options, sounds, b);
   }
@@ -68,14 +60,14 @@ struct Engine::Rooms {
   SoundSet sounds;
   scene::RigScene rig;
   std::vector<Boom> booms;
-  background::BackgroundLayer background;
+  diesel::DieselLayer diesel;
   mix::Mixer mixer;
   mix::Buses buses{};
   EngineMeters meters;
 };
 
-void Engine::Rooms::latch(const MachineState& state) noexcept {
-  const MachineState safe = scene::guarded(state);
+void Engine::Parts::latch(const MachineState& state) noexcept {
+  const MachineState safe = guarded(state);
   int hammering = 0;
   for (std::size_t b = 0; b < booms.size(); ++b) {
     booms[b].scene.latch(safe.boom[b]);
@@ -84,7 +76,7 @@ void Engine::Rooms::latch(const MachineState& state) noexcept {
   rig.latch(safe, static_cast<int>(booms.size()), hammering);
 }
 
-void Engine::Rooms::measure(const float* out) noexcept {
+void Engine::Parts::measure(const float* out) noexcept {
   const int samples = options.block * options.channels;
   float peak = 0;
   double energy = 0;
@@ -100,29 +92,29 @@ void Engine::Rooms::measure(const float* out) noexcept {
 
 Engine::Engine(const EngineOptions& options, SoundSet sounds) {
   require_valid(options, sounds);
-  rooms_ = std::make_unique<Rooms>(options, std::move(sounds));
+  parts_ = std::make_unique<Parts>(options, std::move(sounds));
 }
 Engine::~Engine() = default;
 Engine::Engine(Engine&&) noexcept = default;
 Engine& Engine::operator=(Engine&&) noexcept = default;
 
 void Engine::process(const MachineState& state, float* out) noexcept {
-  Rooms& r = *rooms_;
-  r.latch(state);
-  r.meters.limiter_gain = 1;
+  Parts& p = *parts_;
+  p.latch(state);
+  p.meters.limiter_gain = 1;
   float* chunk = out;
-  for (int n = 0; n < r.options.block; n += kChunk) {
-    for (std::size_t b = 0; b < r.booms.size(); ++b) r.booms[b].process(r.buses.drill[b], r.buses.tool[b]);
-    r.rig.advance();
-    r.background.process(r.rig.background(), r.buses.background);
-    r.mixer.process(r.buses, r.rig.gain_from(), r.rig.gain_to(), chunk);
-    r.meters.limiter_gain = std::min(r.meters.limiter_gain, static_cast<float>(r.mixer.lowest_gain()));
-    chunk += kChunk * r.options.channels;
+  for (int n = 0; n < p.options.block; n += kChunk) {
+    for (std::size_t b = 0; b < p.booms.size(); ++b) p.booms[b].process(p.buses.drill[b], p.buses.tool[b]);
+    p.rig.advance();
+    p.diesel.process(p.rig.diesel(), p.buses.diesel);
+    p.mixer.process(p.buses, p.rig.gain(), chunk);
+    p.meters.limiter_gain = std::min(p.meters.limiter_gain, static_cast<float>(p.mixer.lowest_gain()));
+    chunk += kChunk * p.options.channels;
   }
-  r.measure(out);
+  p.measure(out);
 }
 
-EngineMeters Engine::meters() const noexcept { return rooms_->meters; }
-const EngineOptions& Engine::options() const noexcept { return rooms_->options; }
+EngineMeters Engine::meters() const noexcept { return parts_->meters; }
+const EngineOptions& Engine::options() const noexcept { return parts_->options; }
 
 }  // namespace rigsound

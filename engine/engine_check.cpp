@@ -28,7 +28,7 @@ void require_valid(const SceneOptions& s) {
 }
 
 void require_valid(const MixOptions& m, double sample_rate) {
-  require(between(m.drill_db, -60, 24) && between(m.tool_db, -60, 24) && between(m.background_db, -60, 24),
+  require(between(m.drill_db, -60, 24) && between(m.tool_db, -60, 24) && between(m.diesel_db, -60, 24),
           "mix gains must be -60...24 dB");
   require(between(m.ceiling_dbfs, -60, 0), "mix.ceiling_dbfs must be -60...0 dBFS");
   for (const EqualiserBand& band : m.equaliser)

@@ -8,7 +8,7 @@
 
 #include "rigsound/config/bank_files.hpp"
 #include "rigsound/file/atomic_file.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
 namespace fs = std::filesystem;
@@ -90,7 +90,8 @@ std::optional<AnalysedPart> finished_part(const Part& part, const std::string& s
     const config::StoredBank stored = config::load_bank(folder);
     if (stored.provenance.source_sha256 != sha256 || stored.provenance.settings != settings_of(part, options))
       return std::nullopt;
-    AnalysedPart finished{part, true, stored.bank.T_0, static_cast<int>(stored.bank.clicks.size()), {}, {}};
+    AnalysedPart finished{
+        part, true, stored.bank.mean_gap_samples, static_cast<int>(stored.bank.clicks.size()), {}, {}};
     finished.figures = read_figures(figures_path(options.sound_set, part.bank));
     return finished;
   } catch (const InputError&) {

@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
 namespace {

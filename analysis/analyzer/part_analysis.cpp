@@ -7,7 +7,7 @@
 
 #include "bank/segment.hpp"
 #include "rigsound/analysis/recording.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
 namespace {

@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
 namespace fs = std::filesystem;

@@ -18,7 +18,7 @@
 #include "rigsound/analysis/parallel.hpp"
 #include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/device_error.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
 namespace fs = std::filesystem;
@@ -53,7 +53,8 @@ AnalysedPart analyse(Task& task, const std::string& sha256, const AnalyzerOption
                             analysis.source_channels);
   const ClickBank& bank = analysis.built.bank;
   AnalysedPart analysed{
-      task.part, false, bank.T_0, static_cast<int>(bank.clicks.size()), analysis.built.figures, {}};
+      task.part, false, bank.mean_gap_samples, static_cast<int>(bank.clicks.size()), analysis.built.figures,
+      {}};
   const std::string section =
       options.report == ReportSections::kWrite ? report_section(analysis) : std::string();
   save_part(analysed, bank, sha256, section, options);

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
 

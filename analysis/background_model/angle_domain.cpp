@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dsp/butterworth.hpp"
-#include "dsp/lanes.hpp"
+#include "rigsound/dsp/butterworth.hpp"
 #include "rigsound/dsp/interpolation_kernel.hpp"
+#include "rigsound/dsp/lanes.hpp"
 
 namespace rigsound::analysis {
 namespace {

@@ -27,7 +27,7 @@ ChartLine spectrum(const CyclicSound& s, const char* colour) {
   return line;
 }
 
-Chart spectrum_chart(const BackgroundPoint& point, const CyclicSound* recorded, const CyclicSound& model) {
+Chart spectrum_chart(const DieselPoint& point, const CyclicSound* recorded, const CyclicSound& model) {
   Chart chart{fmt::format("{} at {:.0f} r/min: spectrum",
                           std::filesystem::path(point.source).filename().string(), point.rpm),
               "Hz",
@@ -42,9 +42,9 @@ Chart spectrum_chart(const BackgroundPoint& point, const CyclicSound* recorded, 
               {},
               {}};
   ChartLine orders{{}, {}, kOrders, 1, true};
-  for (std::size_t k = 1; k <= point.C.size() && static_cast<double>(k) * model.f0 < 400; ++k) {
+  for (std::size_t k = 1; k <= point.orders.size() && static_cast<double>(k) * model.f0 < 400; ++k) {
     orders.x.push_back(static_cast<double>(k) * model.f0);
-    orders.y.push_back(10 * std::log10(0.5 * static_cast<double>(std::norm(point.C[k - 1])) + 1e-20));
+    orders.y.push_back(10 * std::log10(0.5 * static_cast<double>(std::norm(point.orders[k - 1])) + 1e-20));
   }
   chart.lines.push_back(orders);
   if (recorded) chart.lines.push_back(spectrum(*recorded, kRecorded));
@@ -91,15 +91,15 @@ Chart envelope_chart(const CyclicSound* recorded, const CyclicSound& model) {
 }  // namespace
 
 void write_background_plot(const std::filesystem::path& file, const std::vector<EngineTake>& takes,
-                           const BackgroundModel& model) {
+                           const DieselModel& model) {
   std::vector<std::string> ignored;
   const std::vector<Section> sections = takes.empty() ? std::vector<Section>() : sections_of(takes, ignored);
   std::string body;
   double top = 30;
   for (std::size_t i = 0; i < model.points.size(); ++i, top += kHeight) {
-    const BackgroundPoint& point = model.points[i];
+    const DieselPoint& point = model.points[i];
     CyclicSound recorded;
-    if (i < sections.size()) recorded = recorded_cycles(sections[i], point, model.N_theta);
+    if (i < sections.size()) recorded = recorded_cycles(sections[i], point, model.angle_samples);
     const CyclicSound* known = recorded.y.empty() ? nullptr : &recorded;
     const CyclicSound modelled = played_cycles(model, point, kPlayedCycles, 1);
     body += svg_of(spectrum_chart(point, known, modelled), 0, top, kWidth, kHeight);

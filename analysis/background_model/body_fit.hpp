@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "rigsound/background_model.hpp"
+#include "rigsound/diesel_model.hpp"
 
 namespace rigsound::analysis {
 

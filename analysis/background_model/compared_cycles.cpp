@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::size_t kTurningOrders = 300;  // more than enough to tell the crank angle
 
-CyclicSound turned(const Section& section, const BackgroundPoint& point, int N) {
+CyclicSound turned(const Section& section, const DieselPoint& point, int N) {
   Orders known;
-  for (const std::complex<float> c : point.C) known.C.emplace_back(c);
+  for (const std::complex<float> c : point.orders) known.C.emplace_back(c);
   known.noise.assign(known.C.size(), 0.0);
   const CycleBlock raw = cycles_of(section, section.x, 0, N);
   const int last = static_cast<int>(std::min(known.C.size(), kTurningOrders));
@@ -23,13 +23,12 @@ CyclicSound turned(const Section& section, const BackgroundPoint& point, int N) 
 
 }  // namespace
 
-CyclicSound recorded_cycles(const Section& section, const BackgroundPoint& point, int N) {
+CyclicSound recorded_cycles(const Section& section, const DieselPoint& point, int N) {
   return turned(section, point, N);
 }
 
-CyclicSound played_cycles(const BackgroundModel& model, const BackgroundPoint& point, int cycles,
-                          unsigned seed) {
-  const double f0 = point.rpm / 120;
+CyclicSound played_cycles(const DieselModel& model, const DieselPoint& point, int cycles, unsigned seed) {
+  const double f0 = cycles_per_second(point.rpm);
   const auto samples = static_cast<std::size_t>((cycles + 2) / f0 * kAnalysisRate);
   const std::vector<float> y =
       play_background(model, std::vector<double>(samples, point.rpm), point.load, 0, seed);
@@ -37,7 +36,7 @@ CyclicSound played_cycles(const BackgroundModel& model, const BackgroundPoint& p
   section.x.assign(y.begin(), y.end());
   for (std::size_t n = 0; n < y.size(); ++n)
     section.theta.push_back(f0 * static_cast<double>(n) / kAnalysisRate);
-  return turned(section, point, model.N_theta);
+  return turned(section, point, model.angle_samples);
 }
 
 }  // namespace rigsound::analysis

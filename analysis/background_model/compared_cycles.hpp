@@ -3,15 +3,14 @@
 
 #include "background_model/likeness.hpp"
 #include "background_model/section.hpp"
-#include "rigsound/background_model.hpp"
+#include "rigsound/diesel_model.hpp"
 
 namespace rigsound::analysis {
 
 /// The cycles of `section`, turned to the crank angle of `point`, N angle samples each. Thread: OFF.
-CyclicSound recorded_cycles(const Section& section, const BackgroundPoint& point, int N);
+CyclicSound recorded_cycles(const Section& section, const DieselPoint& point, int N);
 
 /// What the engine's voice makes of `model` at the speed and load of `point`, turned likewise. Thread: OFF.
-CyclicSound played_cycles(const BackgroundModel& model, const BackgroundPoint& point, int cycles,
-                          unsigned seed);
+CyclicSound played_cycles(const DieselModel& model, const DieselPoint& point, int cycles, unsigned seed);
 
 }  // namespace rigsound::analysis

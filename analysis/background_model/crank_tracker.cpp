@@ -6,6 +6,7 @@
 
 #include "background_model/angle_domain.hpp"
 #include "rigsound/analysis/chain.hpp"
+#include "rigsound/diesel_model.hpp"
 #include "rigsound/dsp/fft.hpp"
 
 namespace rigsound::analysis {
@@ -174,7 +175,7 @@ double CrankTrack::rpm() const {
 }
 
 double repeating_rpm(const std::vector<double>& x, double rpm) {
-  const double f0 = rpm / 120;
+  const double f0 = cycles_per_second(rpm);
   const int factor = 8;
   const Signal band = decimated(tracking_band(x, f0), factor);
   const double period = kAnalysisRate / factor / f0;
@@ -201,7 +202,7 @@ double repeating_rpm(const std::vector<double>& x, double rpm) {
 }
 
 CrankTrack track_steady(const std::vector<double>& x, double rpm) {
-  const Signal band = tracking_band(x, rpm / 120);
+  const Signal band = tracking_band(x, cycles_per_second(rpm));
   return refined(band, running_marks(band, 120 * kAnalysisRate / rpm), 0.5);
 }
 
@@ -210,12 +211,12 @@ CrankTrack track_logged(const std::vector<double>& x, const std::vector<double>&
   Signal marks;
   for (std::size_t n = 0; n < std::min(x.size(), rpm.size()); ++n) {
     slowest = std::min(slowest, rpm[n]);
-    const double step = rpm[n] / 120 / kAnalysisRate;
+    const double step = cycles_per_second(rpm[n]) / kAnalysisRate;
     if (std::floor(angle + step) > std::floor(angle))
       marks.push_back(static_cast<double>(n) + (std::ceil(angle) - angle) / step);
     angle += step;
   }
-  return refined(tracking_band(x, slowest / 120), marks, 0.0);
+  return refined(tracking_band(x, cycles_per_second(slowest)), marks, 0.0);
 }
 
 }  // namespace rigsound::analysis

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "background_model/section.hpp"
-#include "rigsound/background_model.hpp"
+#include "rigsound/diesel_model.hpp"
 
 namespace rigsound::analysis {
 
@@ -16,7 +16,7 @@ struct Unrepeated {
 
 /// A line, and where each section has it (orders or Hz, as the tone says).
 struct FreeLine {
-  BackgroundOscillator tone;
+  DieselOscillator tone;
   std::vector<double> frequency;
 };
 

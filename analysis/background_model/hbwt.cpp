@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "rigsound/dsp/db4.hpp"
 #include "rigsound/dsp/mdct.hpp"
+#include "rigsound/dsp/wavelet.hpp"
 
 namespace rigsound::analysis {
 

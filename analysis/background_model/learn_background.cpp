@@ -10,10 +10,10 @@
 #include "background_model/phase_advance.hpp"
 #include "background_model/section.hpp"
 #include "background_model/slot_analysis.hpp"
-#include "dsp/butterworth.hpp"
 #include "rigsound/analysis/background.hpp"
 #include "rigsound/analysis/chain.hpp"
-#include "rigsound/default_background.hpp"
+#include "rigsound/default_diesel.hpp"
+#include "rigsound/dsp/butterworth.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -39,7 +39,7 @@ struct Work {
   CycleBlock block;
   Orders orders;
   std::vector<double> residual, high;  // per sample of the section
-  BackgroundPoint point;
+  DieselPoint point;
 };
 
 /// Two poles for every 375 Hz that were recorded, a multiple of the voice's eight lanes; 96 are what a block
@@ -55,8 +55,7 @@ int last_order(const Section& s, int N_theta) {
   return std::min(static_cast<int>(highest / s.f0()), N_theta / 2 - 1);
 }
 
-void set_shape(const std::vector<Section>& sections, const BackgroundSettings& settings,
-               BackgroundModel& model) {
+void set_shape(const std::vector<Section>& sections, const BackgroundSettings& settings, DieselModel& model) {
   double slowest = 1e9, log_sum = 0, nyquist = 0;
   int fewest = 1 << 20;
   for (const Section& s : sections) {
@@ -70,12 +69,13 @@ void set_shape(const std::vector<Section>& sections, const BackgroundSettings& s
   model.sample_rate = kAnalysisRate;
   // Grains bring the modulation of the cycle down to where they begin; slots need the wavelets a little
   // longer.
-  model.f_x = settings.f_x > 0 ? settings.f_x : settings.grains > 0 ? 200 : 300;
-  model.N_theta = power_of_two_from(2 * nyquist / slowest, 1024, kMaxBackgroundAngle);
-  model.P_lo = power_of_two_from(2.6 * model.f_x / slowest, 64, 1024);
+  model.crossover_hz = settings.crossover_hz > 0 ? settings.crossover_hz : settings.grains > 0 ? 200 : 300;
+  model.angle_samples = power_of_two_from(2 * nyquist / slowest, 1024, kMaxCrankAngle);
+  model.low_channels = power_of_two_from(2.6 * model.crossover_hz / slowest, 64, 1024);
   const int L = 1 << std::lround(std::log2(1 / (nominal * kSlot_s)));
-  model.L = std::clamp(L, std::max(16, model.N_theta / 128), std::min(256, model.N_theta / 16));
-  model.N = std::clamp(static_cast<int>(std::floor(std::log2(fewest / 10.0))), 0, 3);
+  model.slots =
+      std::clamp(L, std::max(16, model.angle_samples / 128), std::min(256, model.angle_samples / 16));
+  model.low_scales = std::clamp(static_cast<int>(std::floor(std::log2(fewest / 10.0))), 0, 3);
 }
 
 /// Turns every take to the crank angle of the first: its section nearest in speed decides.
@@ -115,10 +115,10 @@ void take_off_orders(Work& work) {
 }
 
 /// Lines off the orders become tones of the model: in slots they would be noise.
-std::vector<BackgroundOscillator> take_off_lines(int N_theta, std::vector<Work>& work) {
+std::vector<DieselOscillator> take_off_lines(int N_theta, std::vector<Work>& work) {
   std::vector<Unrepeated> heard;
   for (const Work& w : work) heard.push_back({w.section, &w.residual});
-  std::vector<BackgroundOscillator> tones;
+  std::vector<DieselOscillator> tones;
   for (const FreeLine& line : free_lines(heard, N_theta)) {
     for (std::size_t i = 0; i < work.size(); ++i)
       work[i].residual = without_line(*work[i].section, std::move(work[i].residual), line.frequency[i],
@@ -188,28 +188,29 @@ LearnedPoint report_of(const Work& work) {
           work.orders.synchronous};
 }
 
-void learn_noise(const BackgroundModel& model, int grains, Work& work) {
+void learn_noise(const DieselModel& model, int grains, Work& work) {
   const Section& s = *work.section;
-  const std::vector<double> A(model.A.begin(), model.A.end());
+  const std::vector<double> A(model.body_filter.begin(), model.body_filter.end());
   const auto white_cycles = [&](const std::vector<double>& high) {
-    return cycles_of(s, whitened(high, A), work.origin, model.N_theta);
+    return cycles_of(s, whitened(high, A), work.origin, model.angle_samples);
   };
-  learn_slots(white_cycles(work.high), model.L, work.point);
+  learn_slots(white_cycles(work.high), model.slots, work.point);
   if (grains > 0 && s.open.empty())
-    learn_grains(white_cycles(phase_advanced(work.high, model.f_x)), grains, work.point);
-  learn_low_layer(cycles_of(s, work.residual, work.origin, model.N_theta), model.P_lo, model.N, work.point);
-  gate_low_layer(s, work.residual, model.f_x, model.P_lo, work.point);
+    learn_grains(white_cycles(phase_advanced(work.high, model.crossover_hz)), grains, work.point);
+  learn_low_layer(cycles_of(s, work.residual, work.origin, model.angle_samples), model.low_channels,
+                  model.low_scales, work.point);
+  gate_low_layer(s, work.residual, model.crossover_hz, model.low_channels, work.point);
 }
 
 /// The recordings hold a diesel; the pump is the formula's, as loud beside it.
-void add_hydraulics(const std::vector<Section>& sections, BackgroundModel& model) {
+void add_hydraulics(const std::vector<Section>& sections, DieselModel& model) {
   double power = 0;
   std::size_t samples = 0;
   for (const Section& s : sections) {
     for (const double v : s.x) power += v * v;
     samples += s.x.size();
   }
-  model.hydraulic = default_background().hydraulic;
+  model.hydraulic = default_diesel().hydraulic;
   const double gain = std::sqrt(power / static_cast<double>(samples)) / kFormulaRms;
   for (float& v : model.hydraulic.pump) v *= static_cast<float>(gain);
   model.hydraulic.flow *= gain;
@@ -219,7 +220,7 @@ void add_hydraulics(const std::vector<Section>& sections, BackgroundModel& model
 
 LearnedBackground learn_background(const std::vector<EngineTake>& takes, const BackgroundSettings& settings) {
   LearnedBackground learned;
-  BackgroundModel& model = learned.model;
+  DieselModel& model = learned.model;
   const std::vector<Section> sections = sections_of(takes, learned.warnings);
   set_shape(sections, settings, model);
 
@@ -227,35 +228,35 @@ LearnedBackground learn_background(const std::vector<EngineTake>& takes, const B
   std::vector<Work> work(sections.size());
   for (std::size_t i = 0; i < work.size(); ++i) {
     work[i].section = &sections[i];
-    work[i].block = cycles_of(sections[i], sections[i].x, 0, model.N_theta);
+    work[i].block = cycles_of(sections[i], sections[i].x, 0, model.angle_samples);
     work[i].orders =
-        orders_of(work[i].block, 0, work[i].block.cycles, last_order(sections[i], model.N_theta));
+        orders_of(work[i].block, 0, work[i].block.cycles, last_order(sections[i], model.angle_samples));
   }
   const std::vector<double> origins = crank_origins(work);
   std::vector<OrderLevels> moments;
   std::vector<std::vector<double>> autocorrelations;
   for (Work& w : work) {
     w.origin = origins[static_cast<std::size_t>(w.section->take)];
-    w.block = cycles_of(*w.section, w.section->x, w.origin, model.N_theta);
-    const int last = last_order(*w.section, model.N_theta);
+    w.block = cycles_of(*w.section, w.section->x, w.origin, model.angle_samples);
+    const int last = last_order(*w.section, model.angle_samples);
     w.orders = orders_of(w.block, 0, w.block.cycles, last);
     add_moments(w, last, moments);
     take_off_orders(w);
   }
-  model.oscillators = take_off_lines(model.N_theta, work);
+  model.oscillators = take_off_lines(model.angle_samples, work);
   for (Work& w : work) {
-    split_high(model.f_x, w);
+    split_high(model.crossover_hz, w);
     autocorrelations.push_back(body_autocorrelation(w.high, w.section->open, w.section->nyquist_hz, order));
   }
-  model.E = fit_body(moments);
+  model.body = fit_body(moments);
   const std::vector<double> A = common_body(autocorrelations);
-  model.A.assign(A.begin(), A.end());
+  model.body_filter.assign(A.begin(), A.end());
 
   for (Work& w : work) {
     w.point.source = w.section->source;
     w.point.rpm = 120 * w.section->f0();
     w.point.load = w.section->load;
-    w.point.C = sure_orders(w.orders);
+    w.point.orders = sure_orders(w.orders);
     learn_noise(model, settings.grains, w);
     learned.points.push_back(report_of(w));
     model.points.push_back(std::move(w.point));
@@ -264,11 +265,12 @@ LearnedBackground learn_background(const std::vector<EngineTake>& takes, const B
   return learned;
 }
 
-std::size_t parameter_count(const BackgroundModel& model) {
-  std::size_t count = model.A.size() + model.E.db.size() + 4 * model.oscillators.size() +
-                      model.hydraulic.pump.size() + model.hydraulic.flow_A.size() + 12;
-  for (const BackgroundPoint& p : model.points)
-    count += 2 * p.C.size() + p.v_lo.size() + p.v_hi.size() + p.s2.size() + 3;
+std::size_t parameter_count(const DieselModel& model) {
+  std::size_t count = model.body_filter.size() + model.body.db.size() + 4 * model.oscillators.size() +
+                      model.hydraulic.pump.size() + model.hydraulic.flow_filter.size() + 12;
+  for (const DieselPoint& p : model.points)
+    count +=
+        2 * p.orders.size() + p.low_variance.size() + p.slot_variance.size() + p.slot_log_variance.size() + 3;
   return count;
 }
 

@@ -5,9 +5,9 @@
 
 #include "background_model/angle_domain.hpp"
 #include "background_model/hbwt.hpp"
-#include "dsp/butterworth.hpp"
 #include "rigsound/analysis/chain.hpp"
-#include "rigsound/dsp/db4.hpp"
+#include "rigsound/dsp/butterworth.hpp"
+#include "rigsound/dsp/wavelet.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -25,17 +25,17 @@ std::vector<double> column_power(const std::vector<double>& rows, int columns, i
 
 }  // namespace
 
-void learn_low_layer(const CycleBlock& residual, int P_lo, int N, BackgroundPoint& point) {
+void learn_low_layer(const CycleBlock& residual, int P_lo, int N, DieselPoint& point) {
   std::vector<double> low = decimated(residual.y, residual.N / P_lo);
   const HbwtCoefficients<double> c = hbwt(low, {P_lo, 1, N});
   const int whole = residual.cycles - 1;
-  point.v_lo.clear();
+  point.low_variance.clear();
   const auto keep = [&](const std::vector<double>& rows, int scale, double correction) {
     // The periodised transform wraps: what reaches past the end or before the start does not count.
     const int reach = static_cast<int>(std::ceil((dsp::kDb4Taps - 1) * (1 - std::pow(2.0, -scale))));
     const int last = std::max(2, (whole >> scale) - reach), first = last > 3 ? 1 : 0;
     for (const double v : column_power(rows, P_lo, first, last))
-      point.v_lo.push_back(static_cast<float>(v * correction));
+      point.low_variance.push_back(static_cast<float>(v * correction));
   };
   for (int n = 1; n <= N; ++n) keep(c.d[static_cast<std::size_t>(n - 1)], n, 1.0);
   // All of the mean cycle lay in the scaling band.
@@ -44,7 +44,7 @@ void learn_low_layer(const CycleBlock& residual, int P_lo, int N, BackgroundPoin
 }
 
 void gate_low_layer(const Section& section, const std::vector<double>& residual, double f_x, int P_lo,
-                    BackgroundPoint& point) {
+                    DieselPoint& point) {
   if (section.open.empty()) return;
   for (double high = f_x * 1.3; high > 12; high /= 2) {
     dsp::Butterworth6 over(dsp::Pass::kHigh, high / 2, kAnalysisRate),
@@ -58,9 +58,9 @@ void gate_low_layer(const Section& section, const std::vector<double>& residual,
     }
     const double share =
         std::min(1.0, open / static_cast<double>(listened) / (all / static_cast<double>(residual.size())));
-    for (std::size_t i = 0; i < point.v_lo.size(); ++i) {
+    for (std::size_t i = 0; i < point.low_variance.size(); ++i) {
       const double f = (static_cast<double>(i % static_cast<std::size_t>(P_lo)) + 0.5) / 2 * section.f0();
-      if (f >= high / 2 && (f < high || high > f_x)) point.v_lo[i] *= static_cast<float>(share);
+      if (f >= high / 2 && (f < high || high > f_x)) point.low_variance[i] *= static_cast<float>(share);
     }
   }
 }

@@ -11,8 +11,8 @@
 #include "background_model/note_pitch.hpp"
 #include "background_model/subband_noise.hpp"
 #include "rigsound/analysis/chain.hpp"
-#include "rigsound/dsp/db4.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/dsp/wavelet.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
 namespace {

@@ -7,7 +7,7 @@
 #include "background_model/angle_domain.hpp"
 #include "rigsound/analysis/chain.hpp"
 #include "rigsound/dsp/fft.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
 namespace {

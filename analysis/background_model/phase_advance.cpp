@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "dsp/butterworth.hpp"
 #include "rigsound/analysis/chain.hpp"
+#include "rigsound/dsp/butterworth.hpp"
 #include "rigsound/dsp/fft.hpp"
 
 namespace rigsound::analysis {

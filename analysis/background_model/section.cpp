@@ -9,7 +9,7 @@
 #include "background_model/crank_tracker.hpp"
 #include "background_model/cycle_length.hpp"
 #include "rigsound/analysis/chain.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
 namespace {

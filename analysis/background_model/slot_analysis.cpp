@@ -106,30 +106,30 @@ std::vector<double> log_gains(const Frames& f, const std::vector<double>& v, std
 
 }  // namespace
 
-void learn_slots(const CycleBlock& whitened, int L, BackgroundPoint& point) {
+void learn_slots(const CycleBlock& whitened, int L, DieselPoint& point) {
   const Frames frames(whitened, L);
   const std::vector<double> v = variances(frames);
   const std::vector<int> edges = slot_band_edges(frames.M);
-  point.v_hi.clear();
+  point.slot_variance.clear();
   for (int l = 0; l < L; ++l)
     for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
       double sum = 0;
       for (int q = edges[b]; q < edges[b + 1]; ++q) sum += v[static_cast<std::size_t>(l * frames.M + q)];
-      point.v_hi.push_back(static_cast<float>(sum / (edges[b + 1] - edges[b])));
+      point.slot_variance.push_back(static_cast<float>(sum / (edges[b + 1] - edges[b])));
     }
   std::vector<double> s2;
   const std::vector<double> gains = log_gains(frames, v, s2);
-  point.s2.assign(s2.begin(), s2.end());
+  point.slot_log_variance.assign(s2.begin(), s2.end());
   double product = 0, mean_s2 = 0;
   int pairs = 0;
   for (int t = L; t < L * frames.cycles; ++t)
     if (frames.usable(t) && frames.usable(t - 1))
       product += gains[static_cast<std::size_t>(t)] * gains[static_cast<std::size_t>(t - 1)], ++pairs;
   for (const double s : s2) mean_s2 += s / L;
-  point.rho = std::clamp(product / std::max(1, pairs) / std::max(mean_s2, 1e-3), 0.0, kMaxRho);
+  point.slot_correlation = std::clamp(product / std::max(1, pairs) / std::max(mean_s2, 1e-3), 0.0, kMaxRho);
 }
 
-void learn_grains(const CycleBlock& whitened, int count, BackgroundPoint& point) {
+void learn_grains(const CycleBlock& whitened, int count, DieselPoint& point) {
   const auto N = static_cast<std::size_t>(whitened.N);
   const auto length = static_cast<std::size_t>(whitened.N * (1 + kGrainOverlap));
   const int usable = whitened.cycles - 2;  // the last one needs the start of the next

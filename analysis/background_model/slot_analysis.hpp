@@ -2,15 +2,15 @@
 #pragma once
 
 #include "background_model/section.hpp"
-#include "rigsound/background_model.hpp"
+#include "rigsound/diesel_model.hpp"
 
 namespace rigsound::analysis {
 
 /// Fills v_hi, s2 and rho of `point` from the whitened residual in whole cycles, L slots each. Only frames
 /// that are open throughout count. Thread: OFF.
-void learn_slots(const CycleBlock& whitened, int L, BackgroundPoint& point);
+void learn_slots(const CycleBlock& whitened, int L, DieselPoint& point);
 
 /// Keeps `count` cycles spread over the block, scaled together to the power of all. Thread: OFF.
-void learn_grains(const CycleBlock& whitened, int count, BackgroundPoint& point);
+void learn_grains(const CycleBlock& whitened, int count, DieselPoint& point);
 
 }  // namespace rigsound::analysis

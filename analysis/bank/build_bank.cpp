@@ -10,7 +10,7 @@
 #include "bank/statistics.hpp"
 #include "rigsound/analysis/bank_builder.hpp"
 #include "rigsound/analysis/resynth.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -50,11 +50,12 @@ void set_envelope(const Segments& segments, ClickBank& bank) {
     const auto w = static_cast<double>(s.clicks.P.size());
     const ClickEnvelope& e = s.clicks.envelope;
     weight += w;
-    bank.N_a += w * e.N_a, bank.alpha_d += w * e.alpha_d, bend += w * e.alpha_a * e.N_a;
+    bank.attack_samples += w * e.attack_samples, bank.decay += w * e.decay,
+        bend += w * e.attack_bend * e.attack_samples;
   }
-  bank.N_a /= weight;
-  bank.alpha_d /= weight;
-  bank.alpha_a = bend / weight / std::max(bank.N_a, 1.0);
+  bank.attack_samples /= weight;
+  bank.decay /= weight;
+  bank.attack_bend = bend / weight / std::max(bank.attack_samples, 1.0);
 }
 
 Series<double> norms_of(const Segments& segments, const std::vector<ClickCandidate>& candidates) {
@@ -72,10 +73,10 @@ BankFigures figures_of(const Segments& segments, const ClickBank& bank, const Ba
     for (const float v : s.drilling) energy += static_cast<double>(v) * v;
     frames += static_cast<double>(s.drilling.size());
   }
-  f.rate_hz = bank.sample_rate / bank.T_0;
+  f.rate_hz = bank.sample_rate / bank.mean_gap_samples;
   f.level_db = 10 * std::log10(energy / frames);
   f.snr_db = signal_to_noise_db(segments);
-  f.decay_s = (bank.N_a + std::log(1000.0) / bank.alpha_d) / bank.sample_rate;
+  f.decay_s = (bank.attack_samples + std::log(1000.0) / bank.decay) / bank.sample_rate;
   for (const auto& click : bank.clicks)
     f.longest_click_s = std::max(f.longest_click_s, static_cast<double>(click.size()) / bank.sample_rate);
   const std::vector<float> proof = resynthesise(bank, kProofSeconds, kProofSeed).sound;
@@ -108,7 +109,7 @@ BuiltBank build_bank(const std::vector<ChainResult>& all, Method method, int cou
       recorded_levels(segments, method == Method::kPaper ? Levels::kDenoisedOnly : Levels::kGivenBack);
   if (method == Method::kPaper) {
     set_plain_gap_statistics(onsets, bank);
-    bank.r_B = 0;
+    bank.amplitude_correlation = 0;
     bank.clicks = extract_whitened(segments, candidates, choose_by_room(candidates, wanted));
     for (auto& click : bank.clicks) finish(click);
   } else {

@@ -14,7 +14,8 @@ constexpr double kDecayDb = 60, kMaxPeriods = 6, kMaxSeconds = 0.5;
 constexpr double kEmpty = 1e-12;  // where no click sounds the mask is zero, not 0/0
 
 std::vector<double> envelope_samples(const ClickTrain& clicks) {
-  const double decayed = clicks.envelope.N_a + std::log(10.0) * kDecayDb / 20 / clicks.envelope.alpha_d;
+  const double decayed =
+      clicks.envelope.attack_samples + std::log(10.0) * kDecayDb / 20 / clicks.envelope.decay;
   const double periods = kMaxPeriods * median_gap(clicks.P);
   const double length = std::min({decayed, periods, kMaxSeconds * kAnalysisRate});
   std::vector<double> a(static_cast<std::size_t>(std::max(length, 2.0)));

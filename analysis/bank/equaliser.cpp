@@ -80,8 +80,8 @@ void renormalise(ClickBank& bank) {
     for (float& v : click) v = static_cast<float>(v / std::sqrt(energy));
     power += energy / static_cast<double>(bank.clicks.size());
   }
-  bank.B *= std::sqrt(power);
-  bank.sigma_B *= std::sqrt(power);
+  bank.mean_amplitude *= std::sqrt(power);
+  bank.amplitude_deviation *= std::sqrt(power);
 }
 
 /// Energy of a synthesis over the energies of its clicks: not 1 where overlapping clicks resemble each other.
@@ -90,14 +90,15 @@ double coherence(const ClickBank& bank) {
   for (const Resynthesis& test : test_syntheses(bank)) {
     for (const float v : test.sound) sound += static_cast<double>(v) * v;
     for (const ResynthImpact& blow : test.impacts)
-      clicks += bank.B * blow.amplitude * bank.B * blow.amplitude;
+      clicks += bank.mean_amplitude * blow.amplitude * bank.mean_amplitude * blow.amplitude;
   }
   return sound / clicks;
 }
 
 /// Samples from one click to the next, missed and double strikes counted in.
 double mean_gap(const ClickBank& bank) {
-  return bank.T_0 * (1 + (kMissGap - 1) * bank.p_miss + (kDoubleGap - 1) * bank.p_double);
+  return bank.mean_gap_samples *
+         (1 + (kMissGap - 1) * bank.miss_share + (kDoubleGap - 1) * bank.double_share);
 }
 
 }  // namespace
@@ -114,10 +115,10 @@ void equalise(ClickBank& bank, const BandLevels& target) {
 }
 
 void set_level(ClickBank& bank, double power) {
-  const double spread = bank.sigma_B / bank.B;
+  const double spread = bank.amplitude_deviation / bank.mean_amplitude;
   const double B = std::sqrt(power * mean_gap(bank) / (coherence(bank) * (1 + spread * spread)));
-  bank.sigma_B *= B / bank.B;
-  bank.B = B;
+  bank.amplitude_deviation *= B / bank.mean_amplitude;
+  bank.mean_amplitude = B;
 }
 
 }  // namespace rigsound::analysis

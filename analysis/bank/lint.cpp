@@ -24,10 +24,11 @@ bool out_of_order(double a, double b, double c, double slack) {
 }
 
 void check_triple(const AnalysedPart& a, AnalysedPart& b, const AnalysedPart& c) {
-  if (out_of_order(std::log(a.T_0), std::log(b.T_0), std::log(c.T_0), kPeriodSlack))
+  if (out_of_order(std::log(a.mean_gap_samples), std::log(b.mean_gap_samples), std::log(c.mean_gap_samples),
+                   kPeriodSlack))
     b.warnings.push_back(
         fmt::format("T0 of {:.0f} samples is out of order in its rod series: {} has {:.0f}, {} has {:.0f}",
-                    b.T_0, a.part.bank, a.T_0, c.part.bank, c.T_0));
+                    b.mean_gap_samples, a.part.bank, a.mean_gap_samples, c.part.bank, c.mean_gap_samples));
   if (out_of_order(a.figures.level_db, b.figures.level_db, c.figures.level_db, kLevelSlackDb))
     b.warnings.push_back(
         fmt::format("level of {:.1f} dB is out of order in its rod series: {} has {:.1f}, {} has {:.1f}",
@@ -50,10 +51,10 @@ void check_rods(const Series& series) {
 void check_feed(const AnalysedPart& normal, AnalysedPart& other) {
   const BankFigures& f = other.figures;
   if (other.part.label.situation == Situation::kOverfeed &&
-      std::log(other.T_0) < std::log(normal.T_0) - kPeriodSlack)
+      std::log(other.mean_gap_samples) < std::log(normal.mean_gap_samples) - kPeriodSlack)
     other.warnings.push_back(
-        fmt::format("T0 of {:.0f} samples is out of order in its feed series: {} has {:.0f}", other.T_0,
-                    normal.part.bank, normal.T_0));
+        fmt::format("T0 of {:.0f} samples is out of order in its feed series: {} has {:.0f}",
+                    other.mean_gap_samples, normal.part.bank, normal.mean_gap_samples));
   if (other.part.label.situation == Situation::kUnderfeed &&
       f.level_db > normal.figures.level_db + kLevelSlackDb)
     other.warnings.push_back(

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "rigsound/bank_player.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -29,8 +29,8 @@ Resynthesis resynthesise(const ClickBank& bank, double seconds, std::uint64_t se
   while (result.sound.size() < frames) {
     const auto start = static_cast<double>(result.sound.size());
     player.process(controls, chunk);
-    for (int i = 0; i < player.impact_count(); ++i)
-      result.impacts.push_back({start + player.impacts()[i].onset, player.impacts()[i].amplitude});
+    for (const Impact& impact : player.impacts())
+      result.impacts.push_back({start + impact.onset, impact.amplitude});
     for (const double v : chunk) result.sound.push_back(static_cast<float>(v));
   }
   result.sound.resize(frames);

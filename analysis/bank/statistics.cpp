@@ -97,27 +97,27 @@ void set_gap_statistics(const Series<int>& onsets, ClickBank& bank) {
   Series<Kind> kinds;
   for (const auto& g : gaps) kinds.push_back(kinds_of(g, T));
   const Moments m = moments(gaps, kinds);
-  bank.T_0 = m.mean;
-  bank.sigma_T = m.deviation;
-  bank.r_T = m.deviation > kSteady * m.mean ? m.correlation : 0;
-  bank.p_miss = share(kinds, Kind::kMissed);
+  bank.mean_gap_samples = m.mean;
+  bank.gap_deviation_samples = m.deviation;
+  bank.gap_correlation = m.deviation > kSteady * m.mean ? m.correlation : 0;
+  bank.miss_share = share(kinds, Kind::kMissed);
   // The engine plays a double strike as one short gap before a whole one: this share keeps the mean rate.
-  bank.p_double = std::min(shortfall(gaps, kinds, m.mean) / (1 - kDoubleGap), 1 - bank.p_miss);
+  bank.double_share = std::min(shortfall(gaps, kinds, m.mean) / (1 - kDoubleGap), 1 - bank.miss_share);
 }
 
 void set_plain_gap_statistics(const Series<int>& onsets, ClickBank& bank) {
   const Series<double> gaps = gaps_of(onsets);
   const Moments m = moments(gaps, all_plain(gaps));
-  bank.T_0 = m.mean;
-  bank.sigma_T = m.deviation;
-  bank.r_T = bank.p_miss = bank.p_double = 0;
+  bank.mean_gap_samples = m.mean;
+  bank.gap_deviation_samples = m.deviation;
+  bank.gap_correlation = bank.miss_share = bank.double_share = 0;
 }
 
 void set_amplitude_statistics(const Series<double>& norms, ClickBank& bank) {
   const Moments m = moments(norms, all_plain(norms));
-  bank.B = m.mean;
-  bank.sigma_B = m.deviation;
-  bank.r_B = m.correlation;
+  bank.mean_amplitude = m.mean;
+  bank.amplitude_deviation = m.deviation;
+  bank.amplitude_correlation = m.correlation;
 }
 
 }  // namespace rigsound::analysis

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <unsupported/Eigen/FFT>
 
-#include "dsp/elementary.hpp"
 #include "rigsound/analysis/chain.hpp"
+#include "rigsound/dsp/elementary.hpp"
 
 namespace rigsound::analysis {
 namespace {

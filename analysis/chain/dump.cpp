@@ -37,7 +37,8 @@ void Dump::train(const std::string& name, const ClickTrain& train) const {
   for (long i = 0; i < clicks.rows(); ++i) clicks.row(i) << train.P[i] / kAnalysisRate, train.beta[i];
   table(name + "_clicks", "time_s,beta", clicks);
   Eigen::ArrayXXd envelope(1, 4);
-  envelope << train.envelope.N_a, train.envelope.alpha_a, train.envelope.alpha_d, train.T_0;
+  envelope << train.envelope.attack_samples, train.envelope.attack_bend, train.envelope.decay,
+      train.mean_gap_samples;
   table(name + "_envelope", "N_a,alpha_a,alpha_d,T_0", envelope);
 }
 

@@ -62,10 +62,12 @@ double median_over(const std::vector<ChainResult>& results, Figure figure) {
 
 ClickTrain join_clicks(const std::vector<Segment>& segments, const std::vector<ChainResult>& results) {
   ClickTrain train;
-  train.T_0 = median_over(results, [](const ClickTrain& t) { return t.T_0; });
-  train.envelope.N_a = median_over(results, [](const ClickTrain& t) { return t.envelope.N_a; });
-  train.envelope.alpha_a = median_over(results, [](const ClickTrain& t) { return t.envelope.alpha_a; });
-  train.envelope.alpha_d = median_over(results, [](const ClickTrain& t) { return t.envelope.alpha_d; });
+  train.mean_gap_samples = median_over(results, [](const ClickTrain& t) { return t.mean_gap_samples; });
+  train.envelope.attack_samples =
+      median_over(results, [](const ClickTrain& t) { return t.envelope.attack_samples; });
+  train.envelope.attack_bend =
+      median_over(results, [](const ClickTrain& t) { return t.envelope.attack_bend; });
+  train.envelope.decay = median_over(results, [](const ClickTrain& t) { return t.envelope.decay; });
   long from = 0;
   for (size_t k = 0; k < segments.size(); ++k) {
     const Placed here = place(segments[k], results[k]);
@@ -73,10 +75,10 @@ ClickTrain join_clicks(const std::vector<Segment>& segments, const std::vector<C
     const long to =
         last ? segments[k].end
              : seam(here, place(segments[k + 1], results[k + 1]), segments[k + 1].begin, segments[k].end);
-    append(here, from, to, kShortestGap * results[k].clicks.T_0, train);
+    append(here, from, to, kShortestGap * results[k].clicks.mean_gap_samples, train);
     from = to;
   }
-  if (train.P.size() > 2) train.T_0 = median_gap(train.P);
+  if (train.P.size() > 2) train.mean_gap_samples = median_gap(train.P);
   return train;
 }
 

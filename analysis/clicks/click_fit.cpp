@@ -47,10 +47,10 @@ void coarse_rounds(const Eigen::ArrayXd& q, const std::vector<long>& candidates,
 ClickTrain train_of(const ModelClicks& clicks, const ClickEnvelope& envelope, double T_0, long length) {
   ClickTrain train;
   train.envelope = envelope;
-  train.T_0 = T_0;
+  train.mean_gap_samples = T_0;
   for (size_t i = 0; i < clicks.onset.size(); ++i) {
     // A click that began before the first sample is heard through its tail: it counts from the first sample.
-    if (clicks.onset[i] < -static_cast<long>(envelope.N_a) || clicks.onset[i] >= length) continue;
+    if (clicks.onset[i] < -static_cast<long>(envelope.attack_samples) || clicks.onset[i] >= length) continue;
     train.P.push_back(static_cast<int>(std::max(0L, clicks.onset[i])));
     train.beta.push_back(std::sqrt(clicks.power(static_cast<long>(i))));
   }
@@ -64,7 +64,7 @@ ClickTrain fit_clicks(const Eigen::ArrayXd& y, const Candidates& candidates, con
   const Eigen::ArrayXd q = block_power(y, kCoarse);
   std::vector<long> candidate_blocks;
   for (const int block : candidates.block) candidate_blocks.push_back(block * (kCandidateBlock / kCoarse));
-  double T_0 = selection.T_0 * kCandidateBlock;
+  double T_0 = selection.mean_gap_blocks * kCandidateBlock;
   ModelClicks clicks = start(q, selection);
   ClickEnvelope envelope = first_envelope(q, clicks.onset, T_0, kCoarse);
   const bool rough = effort == FitEffort::kRough;

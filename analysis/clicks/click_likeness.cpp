@@ -76,7 +76,7 @@ double dispersion(const Eigen::ArrayXXd& E, const Eigen::ArrayXd& quiet) {
 
 ClickLikeness click_likeness(const PowerSpectrogram& power, const ClickTrain& clicks) {
   const Eigen::ArrayXXd bands = band_powers(power);
-  const double longest = std::min(kLongestShare * clicks.T_0, kLongest_s * kAnalysisRate);
+  const double longest = std::min(kLongestShare * clicks.mean_gap_samples, kLongest_s * kAnalysisRate);
   const long length = std::max(2L, static_cast<long>(longest / kChainStft.hop));
   std::vector<long> onset;
   for (const int P : clicks.P) {

@@ -43,11 +43,12 @@ double by_ratio(double value, double usual, double limit) {
 // against 607 of music, speech, rotary drills, drum machines, engines, noises and the backgrounds of ids
 // 100-131.
 std::array<Objection, 9> objections(const DrillingEvidence& e) {
-  const double rate = kAnalysisRate / e.clicks.T_0;
-  const double attack_ms = 1000 * e.clicks.envelope.N_a / kAnalysisRate;
+  const double rate = kAnalysisRate / e.clicks.mean_gap_samples;
+  const double attack_ms = 1000 * e.clicks.envelope.attack_samples / kAnalysisRate;
   // Long in itself, unless it rises steeply, and long for its period.
-  const double swell = std::min(by_ratio(attack_ms / std::max(1.0, e.likeness.rise), 2.3, 5.4),
-                                by_ratio(e.clicks.envelope.N_a / e.clicks.T_0, 0.1, 0.17));
+  const double swell =
+      std::min(by_ratio(attack_ms / std::max(1.0, e.likeness.rise), 2.3, 5.4),
+               by_ratio(e.clicks.envelope.attack_samples / e.clicks.mean_gap_samples, 0.1, 0.17));
   const double surplus = e.surplus / static_cast<double>(e.clicks.P.size());
   const double unexplained = std::max(e.background_alone - kNoiseDivergence, kUnexplained);
   const double explained = (e.background_alone - e.with_clicks) / unexplained;
@@ -82,8 +83,9 @@ double fast_total(const Candidates& candidates) { return select_clicks(candidate
 Eigen::ArrayXf frames_near_clicks(const ClickTrain& train, int frames) {
   Eigen::ArrayXf near = Eigen::ArrayXf::Zero(frames);
   for (const int P : train.P) {
-    const int first = std::max(0, static_cast<int>((P - 0.5 * train.T_0) / kChainStft.hop));
-    const int last = std::min(frames - 1, static_cast<int>((P + 2 * train.T_0) / kChainStft.hop));
+    const int first = std::max(0, static_cast<int>((P - 0.5 * train.mean_gap_samples) / kChainStft.hop));
+    const int last =
+        std::min(frames - 1, static_cast<int>((P + 2 * train.mean_gap_samples) / kChainStft.hop));
     if (first <= last) near.segment(first, last - first + 1) = 1;
   }
   return near;

@@ -14,15 +14,15 @@ double envelope(const ClickEnvelope& shape, double n) {
 }
 
 EnvelopePower envelope_power(const ClickEnvelope& shape, int block) {
-  const int blocks = static_cast<int>(std::floor(shape.N_a)) / block + 1;
+  const int blocks = static_cast<int>(std::floor(shape.attack_samples)) / block + 1;
   EnvelopePower power;
   power.attack = Eigen::ArrayXd::Zero(blocks);
   for (int n = 0; n < blocks * block; ++n) {
     const double a = envelope(shape, n);
     power.attack(n / block) += a * a / block;
   }
-  power.decay = std::exp(-2 * shape.alpha_d * block);
-  const double first = envelope(shape, blocks * block), step = std::exp(-2 * shape.alpha_d);
+  power.decay = std::exp(-2 * shape.decay * block);
+  const double first = envelope(shape, blocks * block), step = std::exp(-2 * shape.decay);
   power.tail = first * first * (1 - power.decay) / (1 - step) / block;
   return power;
 }

@@ -52,8 +52,9 @@ void fit_envelope(const Eigen::ArrayXd& q, double T_0, const EnvelopeFitOptions&
     train.spread(trial.power, trial.floor, v);
     return model_cost(q, v, options.block) + prior(t, T_0);
   };
-  const std::vector<double> start = {std::log(envelope.N_a), envelope.alpha_a * envelope.N_a,
-                                     std::log(envelope.alpha_d), 0};
+  const std::vector<double> start = {std::log(envelope.attack_samples),
+                                     envelope.attack_bend * envelope.attack_samples, std::log(envelope.decay),
+                                     0};
   const std::vector<double> best = nelder_mead(cost, start, simplex(T_0, options));
   envelope = unpack(best);
   clicks.onset = shifted(clicks.onset, best[kShift], options.block);

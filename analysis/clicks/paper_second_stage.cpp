@@ -48,7 +48,8 @@ ClickEnvelope unpack(const std::vector<double>& t) { return {t[0], t[1] / t[0], 
 
 PaperClicks paper_detection(const Eigen::ArrayXd& y, const std::vector<EnergyPeak>& peaks,
                             const ClickEnvelope& shape) {
-  const long attack = std::lround(shape.N_a), width = std::max(attack + 2, std::lround(mean_gap(peaks) / 2));
+  const long attack = std::lround(shape.attack_samples),
+             width = std::max(attack + 2, std::lround(mean_gap(peaks) / 2));
   const Eigen::ArrayXd a2 = squared_envelope(shape, width), e = integrated_energy(y, a2, 0, 1);
   const double norm = a2.square().sum();
   PaperClicks clicks;
@@ -84,13 +85,14 @@ double flatness(const Eigen::ArrayXd& y, const PaperClicks& clicks, const ClickE
 ClickEnvelope paper_envelope(const Eigen::ArrayXd& y, const PaperClicks& clicks, const ClickEnvelope& start) {
   const double T = median_gap(clicks.P);
   SimplexOptions simplex;
-  simplex.step = {0.3 * start.N_a, 1, 0.5 * start.alpha_d};
-  simplex.tolerance = {0.1, 0.01, 1e-3 * start.alpha_d};
+  simplex.step = {0.3 * start.attack_samples, 1, 0.5 * start.decay};
+  simplex.tolerance = {0.1, 0.01, 1e-3 * start.decay};
   simplex.lower = {2, -8, 0.1 / T};
   simplex.upper = {std::max(4.0, 0.5 * T), 8, 15 / T};
   simplex.evaluations = kEvaluations;
   return unpack(nelder_mead([&](const std::vector<double>& t) { return flatness(y, clicks, unpack(t)); },
-                            {start.N_a, start.alpha_a * start.N_a, start.alpha_d}, simplex));
+                            {start.attack_samples, start.attack_bend * start.attack_samples, start.decay},
+                            simplex));
 }
 
 ClickTrain paper_clicks(const Eigen::ArrayXd& y) {
@@ -98,14 +100,14 @@ ClickTrain paper_clicks(const Eigen::ArrayXd& y) {
   const FirstStage first = paper_first_stage(y);
   if (first.peaks.size() < 3) return train;
   ClickEnvelope halved = first.envelope;
-  halved.alpha_d /= 2;
+  halved.decay /= 2;
   const PaperClicks coarse = paper_detection(y, first.peaks, halved);
   if (coarse.P.size() < 3) return train;
   train.envelope = paper_envelope(y, coarse, first.envelope);
   const PaperClicks fine = paper_detection(y, first.peaks, train.envelope);
   train.P.assign(fine.P.begin(), fine.P.end());
   train.beta = fine.beta;
-  if (train.P.size() > 2) train.T_0 = median_gap(train.P);
+  if (train.P.size() > 2) train.mean_gap_samples = median_gap(train.P);
   return train;
 }
 

@@ -146,7 +146,7 @@ Selection select_clicks(const Candidates& candidates, const RateRange& range) {
     selection.surplus = chain.total - chance;
     selection.total = chain.total;
     selection.block = blocks_of(candidates, chain);
-    selection.T_0 = selection.block.size() > 2 ? median_gap(selection.block) : T;
+    selection.mean_gap_blocks = selection.block.size() > 2 ? median_gap(selection.block) : T;
   }
   return selection;
 }

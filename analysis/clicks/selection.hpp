@@ -23,10 +23,10 @@ double gap_cost(double g);
 Chain best_chain(const std::vector<int>& time, const std::vector<double>& score, double T_0, long length);
 
 struct Selection {
-  std::vector<int> block;  ///< of the clicks, ascending
-  double T_0 = 0;          ///< blocks, median gap
-  double total = 0;        ///< of the chain
-  double surplus = 0;      ///< of the total, over what the same candidates give at random times
+  std::vector<int> block;      ///< of the clicks, ascending
+  double mean_gap_blocks = 0;  ///< median gap, blocks
+  double total = 0;            ///< of the chain
+  double surplus = 0;          ///< of the total, over what the same candidates give at random times
 };
 
 /// Tries every period hypothesis within `range` and keeps the chain whose total exceeds most what the same

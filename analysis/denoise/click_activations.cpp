@@ -43,7 +43,7 @@ Eigen::ArrayXd convolve(const Eigen::ArrayXd& x, const Eigen::ArrayXd& kernel) {
 
 Decays decays_around(const ClickTrain& train) {
   const double slowest =
-      std::clamp(kSlowestShare * train.envelope.alpha_d * train.T_0, kSlowest, kFastest / 2);
+      std::clamp(kSlowestShare * train.envelope.decay * train.mean_gap_samples, kSlowest, kFastest / 2);
   Decays decays{};
   for (int j = 0; j < kDecayCount; ++j)
     decays[j] = slowest * std::pow(kFastest / slowest, j / (kDecayCount - 1.0));
@@ -53,7 +53,8 @@ Decays decays_around(const ClickTrain& train) {
 Grid click_activations(const ClickTrain& train, const Decays& decays, int frames, int padded) {
   const int hop = kChainStft.hop / kStep, width = kChainStft.window / kStep,
             points = frames * hop + width + 1;
-  const Eigen::ArrayXd impulse = impulses(train, points), attack = squared_attack(train.envelope.N_a);
+  const Eigen::ArrayXd impulse = impulses(train, points),
+                       attack = squared_attack(train.envelope.attack_samples);
   const Eigen::ArrayXd rising = convolve(impulse, attack);
   const long rise = attack.size();
   Eigen::ArrayXd window(width);
@@ -61,7 +62,7 @@ Grid click_activations(const ClickTrain& train, const Decays& decays, int frames
   const Eigen::ArrayXd weight = window.square() / window.square().sum();
   Grid rows = Grid::Zero(kDecayCount, padded);
   for (int j = 0; j < kDecayCount; ++j) {
-    const double factor = std::exp(-2 * decays[j] / train.T_0 * kStep);
+    const double factor = std::exp(-2 * decays[j] / train.mean_gap_samples * kStep);
     Eigen::ArrayXd energy = rising;
     double tail = 0;
     for (long n = rise; n < points; ++n) energy(n) += tail = tail * factor + impulse(n - rise);

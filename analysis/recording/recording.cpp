@@ -10,7 +10,7 @@
 #include "recording/clipping.hpp"
 #include "recording/resample.hpp"
 #include "rigsound/analysis/chain.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "rigsound/analysis/chain.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
 namespace {

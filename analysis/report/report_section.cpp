@@ -32,17 +32,18 @@ std::string bank_figures(const ClickBank& bank) {
   const auto add = [&html](const char* symbol, const std::string& value) {
     html += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", symbol, value);
   };
-  add("T<sub>0</sub>", fmt::format("{:.2f} ms", bank.T_0 * ms));
-  add("σ<sub>T</sub>", fmt::format("{:.2f} ms ({:.1f} %)", bank.sigma_T * ms, 100 * bank.sigma_T / bank.T_0));
-  add("r<sub>T</sub>", fmt::format("{:.2f}", bank.r_T));
-  add("missed", fmt::format("{:.1f} %", 100 * bank.p_miss));
-  add("doubled", fmt::format("{:.1f} %", 100 * bank.p_double));
-  add("B", fmt::format("{:.3g}", bank.B));
-  add("σ<sub>B</sub>", fmt::format("{:.0f} %", 100 * bank.sigma_B / bank.B));
-  add("r<sub>B</sub>", fmt::format("{:.2f}", bank.r_B));
-  add("N<sub>a</sub>", fmt::format("{:.2f} ms", bank.N_a * ms));
-  add("α<sub>a</sub> N<sub>a</sub>", fmt::format("{:.2f}", bank.alpha_a * bank.N_a));
-  add("α<sub>d</sub>", fmt::format("{:.2f} dB/ms", bank.alpha_d * decibels / ms));
+  add("T<sub>0</sub>", fmt::format("{:.2f} ms", bank.mean_gap_samples * ms));
+  add("σ<sub>T</sub>", fmt::format("{:.2f} ms ({:.1f} %)", bank.gap_deviation_samples * ms,
+                                   100 * bank.gap_deviation_samples / bank.mean_gap_samples));
+  add("r<sub>T</sub>", fmt::format("{:.2f}", bank.gap_correlation));
+  add("missed", fmt::format("{:.1f} %", 100 * bank.miss_share));
+  add("doubled", fmt::format("{:.1f} %", 100 * bank.double_share));
+  add("B", fmt::format("{:.3g}", bank.mean_amplitude));
+  add("σ<sub>B</sub>", fmt::format("{:.0f} %", 100 * bank.amplitude_deviation / bank.mean_amplitude));
+  add("r<sub>B</sub>", fmt::format("{:.2f}", bank.amplitude_correlation));
+  add("N<sub>a</sub>", fmt::format("{:.2f} ms", bank.attack_samples * ms));
+  add("α<sub>a</sub> N<sub>a</sub>", fmt::format("{:.2f}", bank.attack_bend * bank.attack_samples));
+  add("α<sub>d</sub>", fmt::format("{:.2f} dB/ms", bank.decay * decibels / ms));
   return html + "</dl>\n";
 }
 

@@ -4,9 +4,9 @@
 
 #include "bank/candidates.hpp"
 #include "bank/recorded_levels.hpp"
-#include "dsp/elementary.hpp"
 #include "report/panels.hpp"
 #include "report/plot.hpp"
+#include "rigsound/dsp/elementary.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -67,8 +67,8 @@ std::string gap_panel(const Segments& segments, const ClickBank& bank) {
   for (const ChainResult& s : segments)
     for (std::size_t i = 1; i < s.clicks.P.size(); ++i)
       gaps.push_back(1e3 * (s.clicks.P[i] - s.clicks.P[i - 1]) / kAnalysisRate);
-  return histogram("Gaps between clicks", "ms", gaps, 1e3 * bank.T_0 / bank.sample_rate,
-                   1e3 * bank.sigma_T / bank.sample_rate);
+  return histogram("Gaps between clicks", "ms", gaps, 1e3 * bank.mean_gap_samples / bank.sample_rate,
+                   1e3 * bank.gap_deviation_samples / bank.sample_rate);
 }
 
 std::string amplitude_panel(const Segments& segments, const ClickBank& bank) {
@@ -77,7 +77,8 @@ std::string amplitude_panel(const Segments& segments, const ClickBank& bank) {
   for (const ClickCandidate& c : click_candidates(segments)) norms.push_back(c.norm);
   for (const double v : norms) mean += v / static_cast<double>(norms.size());
   for (double& v : norms) v /= mean;
-  return histogram("Amplitudes of clicks", "over their mean", norms, 1, bank.sigma_B / bank.B);
+  return histogram("Amplitudes of clicks", "over their mean", norms, 1,
+                   bank.amplitude_deviation / bank.mean_amplitude);
 }
 
 std::string third_octave_panel(const Segments& segments, const std::vector<float>& synthesis) {

@@ -3,8 +3,9 @@
 #include <cmath>
 #include <complex>
 
-#include "dsp/elementary.hpp"
 #include "rigsound/analysis/chain.hpp"
+#include "rigsound/diesel_model.hpp"
+#include "rigsound/dsp/elementary.hpp"
 #include "simulate/biquad_cascade.hpp"
 
 namespace rigsound::analysis {
@@ -129,7 +130,7 @@ BackgroundScene BackgroundScene::ramp(double seconds, double rpm_start, double r
   for (std::size_t n = 0; n < scene.cycles_hz.size(); ++n) {
     const double t = static_cast<double>(n) / kAnalysisRate;
     const double rpm = rpm_start + (rpm_end - rpm_start) * t / seconds;
-    scene.cycles_hz[n] = rpm / 120 * (1 + 0.01 * std::sin(dsp::kTwoPi * kWanderHz * t));
+    scene.cycles_hz[n] = cycles_per_second(rpm) * (1 + 0.01 * std::sin(dsp::kTwoPi * kWanderHz * t));
   }
   return scene;
 }

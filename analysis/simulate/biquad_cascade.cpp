@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "dsp/elementary.hpp"
 #include "rigsound/analysis/chain.hpp"
+#include "rigsound/dsp/elementary.hpp"
 
 namespace rigsound::analysis {
 

@@ -5,8 +5,8 @@
 #include <complex>
 
 #include "clicks/envelope.hpp"
-#include "dsp/elementary.hpp"
 #include "rigsound/analysis/chain.hpp"
+#include "rigsound/dsp/elementary.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -37,7 +37,7 @@ std::vector<double> coloured_noise(const BiquadCascade& bells, int length, Split
 }
 
 std::vector<double> attack_only(const ClickEnvelope& envelope, int length) {
-  return envelope_curve({envelope.N_a, envelope.alpha_a, 0}, length);
+  return envelope_curve({envelope.attack_samples, envelope.attack_bend, 0}, length);
 }
 
 /// Adds one decaying sine by rotating a phasor: exact to rounding, without a sine per sample.
@@ -64,7 +64,7 @@ std::vector<double> modal_click(const ClickVoice& voice, const std::vector<doubl
     const double rate = std::pow(voice.modes[j].frequency / 1500, 0.25);
     modes[j].frequency *= 1 + 0.001 * variation.normal();
     power += voice.modes[j].amplitude * voice.modes[j].amplitude;
-    add_mode(s, modes[j], voice.ring * voice.envelope.alpha_d * rate, voice.envelope.N_a);
+    add_mode(s, modes[j], voice.ring * voice.envelope.decay * rate, voice.envelope.attack_samples);
   }
   const std::vector<double> burst = coloured_noise(bells, length, noise);
   const double scale = 1 / std::sqrt(power / 2), burst_decay = 1 / (0.002 * kAnalysisRate);
@@ -77,7 +77,7 @@ std::vector<double> modal_click(const ClickVoice& voice, const std::vector<doubl
 
 int ClickVoice::length() const {
   // With whole decibels a period the length is often a whole number: the margin keeps rounding out of it.
-  return static_cast<int>(envelope.N_a + std::log(10.0) * (70.0 / 20) / envelope.alpha_d + 1e-6);
+  return static_cast<int>(envelope.attack_samples + std::log(10.0) * (70.0 / 20) / envelope.decay + 1e-6);
 }
 
 BiquadCascade draw_colour(SplitMix& stream) {

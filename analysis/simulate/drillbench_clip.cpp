@@ -40,9 +40,9 @@ ClickProcess process_of(int row, int id) {
 
 ClickEnvelope draw_envelope(int row, int id, double T0, SplitMix& stream) {
   ClickEnvelope envelope;
-  envelope.N_a = std::min(std::nearbyint(stream.log_uniform(8, 240)), std::floor(0.25 * T0));
-  envelope.alpha_a = kAttackBends[id % 4] / envelope.N_a;
-  envelope.alpha_d = std::log(10.0) * kDecayDb[(row + row / 3) % 3] / 20 / T0;
+  envelope.attack_samples = std::min(std::nearbyint(stream.log_uniform(8, 240)), std::floor(0.25 * T0));
+  envelope.attack_bend = kAttackBends[id % 4] / envelope.attack_samples;
+  envelope.decay = std::log(10.0) * kDecayDb[(row + row / 3) % 3] / 20 / T0;
   return envelope;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "rigsound/analysis/chain.hpp"
+#include "rigsound/diesel_model.hpp"
 #include "simulate/biquad_cascade.hpp"
 #include "simulate/engine_body.hpp"
 #include "simulate/split_mix.hpp"
@@ -69,7 +70,7 @@ Signal crank_angle(const EngineRun& run, SplitMix& draw, Signal& rpm) {
   double angle = draw.uniform();
   for (std::size_t n = 0; n < theta.size(); ++n) {
     rpm[n] = run.rpm[n] * (1 + run.wander * wander[n]);
-    theta[n] = angle += rpm[n] / 120 / kAnalysisRate;
+    theta[n] = angle += cycles_per_second(rpm[n]) / kAnalysisRate;
   }
   return theta;
 }

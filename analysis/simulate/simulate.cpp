@@ -8,7 +8,7 @@
 #include "rigsound/analysis/chain.hpp"
 #include "rigsound/analysis/wave_file.hpp"
 #include "rigsound/device_error.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "simulate/drillbench_clip.hpp"
 #include "simulate/engine_files.hpp"
 #include "simulate/truth_files.hpp"
@@ -96,8 +96,8 @@ std::vector<std::string> write_drillbench(const fs::path& folder, const DrillBen
                  mixed(clip.clean, background, std::pow(10, -ratios[i] / 20), kBenchGain), kRate);
     write_clicks_csv(file("truth.csv"), clip.clicks);
     lines.push_back(fmt::format("c{:03} clicks={} T_0={:.2f} N_a={:.0f} alpha_a={:.6g} alpha_d={:.6g}", id,
-                                clip.clicks.size(), clip.T0, clip.envelope.N_a, clip.envelope.alpha_a,
-                                clip.envelope.alpha_d));
+                                clip.clicks.size(), clip.T0, clip.envelope.attack_samples,
+                                clip.envelope.attack_bend, clip.envelope.decay));
   }
   return lines;
 }

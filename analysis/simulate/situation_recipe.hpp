@@ -1,7 +1,7 @@
 // How the one simulated machine differs between situations.
 #pragma once
 
-#include "rigsound/situation.hpp"
+#include "rigsound/machine/situation.hpp"
 #include "simulate/click_voice.hpp"
 
 namespace rigsound::analysis {
@@ -9,7 +9,7 @@ namespace rigsound::analysis {
 struct SituationRecipe {
   double rate_low_hz, rate_high_hz;  ///< the rate of a recording is drawn between these
   ClickProcess process;              ///< F0 is set when a recording is made
-  double N_a, bend;                  ///< attack in samples, alpha_a N_a
+  double attack_samples, bend;       ///< attack in samples, alpha_a N_a
   double decay_db;                   ///< per period
   BiquadCascade colour;
   bool modal;

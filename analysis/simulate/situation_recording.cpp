@@ -78,9 +78,9 @@ SituationRecording simulate_situation(Situation situation, std::uint64_t seed, d
   recording.rpm = how.rpm;
   recording.process = how.process;
   recording.process.F0 = recording.rate_hz = structure.uniform(how.rate_low_hz, how.rate_high_hz);
-  recording.envelope.N_a = how.N_a;
-  recording.envelope.alpha_a = how.bend / how.N_a;
-  recording.envelope.alpha_d = std::log(10.0) * how.decay_db / 20 / recording.process.T0();
+  recording.envelope.attack_samples = how.attack_samples;
+  recording.envelope.attack_bend = how.bend / how.attack_samples;
+  recording.envelope.decay = std::log(10.0) * how.decay_db / 20 / recording.process.T0();
   recording.parts = draw_parts(situation, seconds, structure);
   for (const SimulatedPart& part : recording.parts) add_part_clicks(recording, part, structure);
   render(recording, how, seed, static_cast<int>(std::nearbyint(seconds * kAnalysisRate)));

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "rigsound/situation.hpp"
+#include "rigsound/machine/situation.hpp"
 #include "simulate/click_voice.hpp"
 
 namespace rigsound::analysis {

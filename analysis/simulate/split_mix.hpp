@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "dsp/random.hpp"
+#include "rigsound/dsp/random.hpp"
 
 namespace rigsound::analysis {
 

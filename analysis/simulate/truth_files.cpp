@@ -26,11 +26,12 @@ void write_envelope_csv(const std::filesystem::path& path, const ClickEnvelope& 
 }
 
 void write_parameters_csv(const std::filesystem::path& path, const SituationRecording& r) {
-  write_file(path, fmt::format(
-                       "key,value\nF0_hz,{:.6f}\nT_0,{:.4f}\njitter,{}\namplitude_cv,{}\nmiss,{}\ndouble,{}\n"
-                       "N_a,{}\nalpha_a,{:.9g}\nalpha_d,{:.9g}\nrpm,{}\n",
-                       r.rate_hz, r.process.T0(), r.process.jitter, r.process.amplitude_cv, r.process.miss,
-                       r.process.twice, r.envelope.N_a, r.envelope.alpha_a, r.envelope.alpha_d, r.rpm));
+  write_file(
+      path, fmt::format(
+                "key,value\nF0_hz,{:.6f}\nT_0,{:.4f}\njitter,{}\namplitude_cv,{}\nmiss,{}\ndouble,{}\n"
+                "N_a,{}\nalpha_a,{:.9g}\nalpha_d,{:.9g}\nrpm,{}\n",
+                r.rate_hz, r.process.T0(), r.process.jitter, r.process.amplitude_cv, r.process.miss,
+                r.process.twice, r.envelope.attack_samples, r.envelope.attack_bend, r.envelope.decay, r.rpm));
 }
 
 void write_labels(const std::filesystem::path& path, const SituationRecording& r) {

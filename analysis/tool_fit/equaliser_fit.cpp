@@ -4,8 +4,8 @@
 #include <complex>
 
 #include "clicks/nelder_mead.hpp"
-#include "dsp/biquad.hpp"
 #include "rigsound/analysis/chain.hpp"
+#include "rigsound/dsp/biquad.hpp"
 
 namespace rigsound::analysis {
 namespace {

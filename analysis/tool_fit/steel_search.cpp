@@ -4,23 +4,13 @@
 #include <cmath>
 
 #include "clicks/nelder_mead.hpp"
-#include "tool/mode_law.hpp"
+#include "rigsound/tool_design.hpp"
 
 namespace rigsound::analysis {
 namespace {
 
 constexpr double kNear_cents = 20, kMatch_cents = 12;
 constexpr double kShortest_m = 0.25, kLongest_m = 1.1, kThinnest_m = 0.012, kThickest_m = 0.06;
-
-std::vector<double> modes_of(const Bar& bar, double highest_hz) {
-  std::vector<double> modes;
-  const tool::TransversalLaw bending(bar);
-  const tool::LongitudinalLaw stretching(bar);
-  for (int k = 1; bending.at(k) < highest_hz; ++k) modes.push_back(bending.at(k));
-  for (int k = 1; stretching.at(k) < highest_hz; ++k) modes.push_back(stretching.at(k));
-  std::sort(modes.begin(), modes.end());
-  return modes;
-}
 
 double cents_to_nearest(const std::vector<double>& modes, double hz) {
   const auto above = std::lower_bound(modes.begin(), modes.end(), hz);
@@ -38,7 +28,7 @@ class Search {
   /// How much better the partials fit the bar than they would by chance. Every mode makes chance hits
   /// likelier.
   double score(const Bar& bar) const {
-    const std::vector<double> modes = modes_of(bar, highest_hz_);
+    const std::vector<double> modes = modes_below(bar, highest_hz_);
     if (modes.empty()) return -1e9;
     double sum = 0;
     for (const Partial& p : partials_) {
@@ -49,7 +39,7 @@ class Search {
   }
 
   int matched(const Bar& bar) const {
-    const std::vector<double> modes = modes_of(bar, highest_hz_);
+    const std::vector<double> modes = modes_below(bar, highest_hz_);
     int count = 0;
     for (const Partial& p : partials_) count += cents_to_nearest(modes, p.hz) <= kMatch_cents;
     return count;

@@ -7,7 +7,7 @@
 
 #include "clicks/nelder_mead.hpp"
 #include "rigsound/analysis/chain.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "tool_fit/band_picture.hpp"
 #include "tool_fit/blow.hpp"
 #include "tool_fit/equaliser_fit.hpp"
@@ -56,14 +56,14 @@ const Range kRanges[kCount] = {
 void set(ToolModel& model, const std::vector<double>& u) {
   Decay& T = model.transversal;
   Decay& L = model.longitudinal;
-  T.k_max = 1 - std::exp(u[kLossT]);
-  T.k_min = T.k_max * (1 - u[kContact]);
-  L.k_min = L.k_max = 1 - std::exp(u[kLossL]);
+  T.reflection_max = 1 - std::exp(u[kLossT]);
+  T.reflection_min = T.reflection_max * (1 - u[kContact]);
+  L.reflection_min = L.reflection_max = 1 - std::exp(u[kLossL]);
   T.shelf_gain = u[kShelfT], L.shelf_gain = u[kShelfL];
   T.shelf_hz = L.shelf_hz = std::exp(u[kCorner]);
   const double ratio = std::pow(10, u[kBalance] / 20);
-  model.voicing.mix_T = 1 / (1 + ratio);
-  model.voicing.mix_L = ratio / (1 + ratio);
+  model.voicing.transversal_mix = 1 / (1 + ratio);
+  model.voicing.longitudinal_mix = ratio / (1 + ratio);
   model.voicing.highpass_hz = std::exp(u[kHighpass]);
   model.strike.width_s = std::exp(u[kWidth]);
 }
@@ -74,8 +74,8 @@ void put_decays(const ToolModel& model, ToolDesign& design) {
   const double shelf = std::tan(M_PI * model.transversal.shelf_hz / design.sample_rate);
   const auto put = [shelf](const Decay& decay, LoopDesign& loop) {
     loop.filters.shelf = shelf;
-    loop.filters.g = decay.shelf_gain;
-    loop.k_min = decay.k_min, loop.k_max = decay.k_max;
+    loop.filters.shelf_gain = decay.shelf_gain;
+    loop.reflection_min = decay.reflection_min, loop.reflection_max = decay.reflection_max;
   };
   put(model.transversal, design.transversal);
   put(model.longitudinal, design.longitudinal);
@@ -185,8 +185,8 @@ void make_tunable(ToolModel& model) {
   for (int i = 0; i < 20 && !tunable(model); ++i)
     for (Decay* decay : {&model.transversal, &model.longitudinal}) {
       decay->shelf_gain = std::sqrt(decay->shelf_gain);
-      decay->k_max = 1 - 0.8 * (1 - decay->k_max);
-      decay->k_min = 1 - 0.8 * (1 - decay->k_min);
+      decay->reflection_max = 1 - 0.8 * (1 - decay->reflection_max);
+      decay->reflection_min = 1 - 0.8 * (1 - decay->reflection_min);
     }
 }
 

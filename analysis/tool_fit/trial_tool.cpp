@@ -1,7 +1,8 @@
 #include "tool_fit/trial_tool.hpp"
 
 #include "rigsound/analysis/chain.hpp"
-#include "tool/tool_layer.hpp"
+#include "rigsound/machine/limits.hpp"
+#include "rigsound/tool_player.hpp"
 #include "tool_fit/blow.hpp"
 
 namespace rigsound::analysis {
@@ -11,13 +12,13 @@ std::vector<double> one_blow(const ToolModel& model, std::size_t samples) {
   steady.strike.bounces = 0;
   steady.strike.amplitude_variation = 0;
   steady.strike.slope_variation = 0;
-  tool::ToolLayer layer(steady, kAnalysisRate, 1, 0);
+  ToolPlayer player(steady, kAnalysisRate, 1);
   std::vector<double> sound;
   for (std::size_t start = 0; start < samples; start += kChunk) {
     const bool here = kBeforeBlow >= start && kBeforeBlow < start + kChunk;
     const Impact blow{here ? static_cast<double>(kBeforeBlow - start) : 0.0, 1, 0};
     double out[kChunk];
-    layer.process(&blow, here, tool::ToolControls{}, out);
+    player.process({&blow, here ? 1 : 0}, out);
     sound.insert(sound.end(), out, out + kChunk);
   }
   sound.resize(samples);

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "text/utf8.hpp"
 
 namespace rigsound::config {

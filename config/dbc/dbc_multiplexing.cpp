@@ -4,7 +4,7 @@
 #include <charconv>
 #include <set>
 
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::config {
 namespace {

@@ -1,6 +1,6 @@
 #include "dbc/dbc_tokens.hpp"
 
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::config {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "text/number_text.hpp"
 #include "text/read_text.hpp"
 

@@ -4,7 +4,7 @@
 #include "rigsound/can/frame.hpp"
 #include "rigsound/can/signal_reading.hpp"
 #include "rigsound/config/dbc.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "text/nearest_word.hpp"
 
 namespace rigsound::config {

@@ -6,8 +6,8 @@
 #include <iterator>
 #include <vector>
 
-#include "rigsound/input_error.hpp"
-#include "rigsound/mix64.hpp"
+#include "rigsound/dsp/random.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::config {
 namespace fs = std::filesystem;
@@ -16,7 +16,7 @@ namespace {
 
 class Print {
  public:
-  void add(std::uint64_t word) { state_ = mix64(state_ ^ mix64(word + 0x9e3779b97f4a7c15ULL)); }
+  void add(std::uint64_t word) { state_ = dsp::mix64(state_ ^ dsp::mix64(word + 0x9e3779b97f4a7c15ULL)); }
   void add(double value) {
     std::uint64_t bits = 0;
     std::memcpy(&bits, &value, sizeof bits);
@@ -47,7 +47,7 @@ void add_options(const Rig& rig, Print& print) {
   for (const double x :
        {o.sample_rate, static_cast<double>(o.block), static_cast<double>(o.channels), s.contact_bar,
         s.underfeed_bar, s.overfeed_bar, s.hysteresis_bar, s.crossfade_s, s.open_burst_s, s.open_sustain_db,
-        s.idle_rpm, o.mix.drill_db, o.mix.tool_db, o.mix.background_db, o.mix.ceiling_dbfs})
+        s.idle_rpm, o.mix.drill_db, o.mix.tool_db, o.mix.diesel_db, o.mix.ceiling_dbfs})
     print.add(x);
   for (const EqualiserBand& band : o.mix.equaliser)
     for (const double x : {band.frequency_hz, band.gain_db, band.q}) print.add(x);

@@ -6,8 +6,8 @@
 
 #include "rig/sections.hpp"
 #include "rigsound/config/sound_set_files.hpp"
-#include "rigsound/default_background.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/default_diesel.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "text/read_text.hpp"
 
 namespace rigsound::config {
@@ -111,7 +111,7 @@ SoundSet load_sounds(Rig& rig) {
                        "the sound set " + rig.sound_set.string() + " has no tool '" + wanted + "'");
     rig.engine.booms[i].tool = static_cast<int>(found - sounds.tools.begin());
   }
-  if (sounds.backgrounds.empty()) sounds.backgrounds.push_back(default_background());
+  if (sounds.diesels.empty()) sounds.diesels.push_back(default_diesel());
   return sounds;
 }
 

@@ -83,7 +83,7 @@ MixOptions read_mix(TomlTable table, double sample_rate) {
   MixOptions mix;
   mix.drill_db = table.number("drill_db", mix.drill_db, -60, 24);
   mix.tool_db = table.number("tool_db", mix.tool_db, -60, 24);
-  mix.background_db = table.number("background_db", mix.background_db, -60, 24);
+  mix.diesel_db = table.number("background_db", mix.diesel_db, -60, 24);
   mix.ceiling_dbfs = table.number("ceiling_dbfs", mix.ceiling_dbfs, -60, 0);
   for (TomlTable& band : table.tables("equaliser")) {
     EqualiserBand b;

@@ -6,7 +6,7 @@
 
 #include "rigsound/file/atomic_file.hpp"
 #include "rigsound/file/atomic_folder.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "sound_set/background_json.hpp"
 #include "sound_set/mono_wav.hpp"
 #include "sound_set/names.hpp"
@@ -18,19 +18,19 @@ namespace {
 
 fs::path grains_file(std::size_t point) { return "grains_" + std::to_string(point + 1) + ".wav"; }
 
-std::size_t grain_samples(const BackgroundModel& model) {
-  return static_cast<std::size_t>(model.N_theta * (1 + kGrainOverlap));
+std::size_t grain_samples(const DieselModel& model) {
+  return static_cast<std::size_t>(model.angle_samples * (1 + kGrainOverlap));
 }
 
-void save_sounds(const fs::path& folder, const BackgroundModel& model) {
+void save_sounds(const fs::path& folder, const DieselModel& model) {
   for (std::size_t i = 0; i < model.points.size(); ++i) {
-    const BackgroundPoint& point = model.points[i];
+    const DieselPoint& point = model.points[i];
     if (point.grains.empty()) continue;
     std::vector<float> row;
     for (const auto& grain : point.grains) row.insert(row.end(), grain.begin(), grain.end());
     // The rate at which an editor plays the cycles at their own speed.
     write_mono_wav(folder / grains_file(i), row,
-                   static_cast<int>(std::lround(model.N_theta * point.rpm / 120)));
+                   static_cast<int>(std::lround(model.angle_samples * point.rpm / 120)));
   }
   const int rate = static_cast<int>(std::lround(model.sample_rate));
   if (!model.start.empty()) write_mono_wav(folder / "start.wav", model.start, rate);
@@ -61,7 +61,7 @@ std::vector<float> load_shot(const fs::path& file, double sample_rate) {
 
 }  // namespace
 
-void save_background(const fs::path& sound_set, const BackgroundModel& background) {
+void save_background(const fs::path& sound_set, const DieselModel& background) {
   const fs::path folder = sound_set / "backgrounds" / background.name;
   if (!is_name(background.name))
     throw InputError(sound_set.string(), 0, background.name,
@@ -73,9 +73,9 @@ void save_background(const fs::path& sound_set, const BackgroundModel& backgroun
   files.commit();
 }
 
-BackgroundModel load_background(const fs::path& folder) {
+DieselModel load_background(const fs::path& folder) {
   const fs::path file = folder / "background.json";
-  BackgroundModel model = read_background_json(file);
+  DieselModel model = read_background_json(file);
   model.name = folder.filename().string();
   for (std::size_t i = 0; i < model.points.size(); ++i)
     model.points[i].grains = load_grains(folder / grains_file(i), grain_samples(model));

@@ -45,20 +45,26 @@ Json plain(const std::vector<float>& v, int digits) {
   return list;
 }
 
-Json point_json(const BackgroundPoint& p) {
+Json point_json(const DieselPoint& p) {
   Json level = Json::array(), phase = Json::array();
-  for (const std::complex<float> c : p.C) {
+  for (const std::complex<float> c : p.orders) {
     const double magnitude = static_cast<double>(std::abs(c));
     level.push_back(decimals(magnitude > 0 ? std::max(kFloor_db, 20 * std::log10(magnitude)) : kFloor_db, 2));
     phase.push_back(decimals(static_cast<double>(std::arg(c)), 3));
   }
-  return {{"source", p.source},          {"rpm", rounded(p.rpm, 1e-3)}, {"load", decimals(p.load, 3)},
-          {"order_level_db", level},     {"order_phase", phase},        {"v_lo_db", power_db(p.v_lo)},
-          {"v_hi_db", power_db(p.v_hi)}, {"s2", plain(p.s2, 3)},        {"rho", decimals(p.rho, 3)}};
+  return {{"source", p.source},
+          {"rpm", rounded(p.rpm, 1e-3)},
+          {"load", decimals(p.load, 3)},
+          {"order_level_db", level},
+          {"order_phase", phase},
+          {"v_lo_db", power_db(p.low_variance)},
+          {"v_hi_db", power_db(p.slot_variance)},
+          {"s2", plain(p.slot_log_variance, 3)},
+          {"rho", decimals(p.slot_correlation, 3)}};
 }
 
-BackgroundPoint read_point(const JsonFile& json) {
-  BackgroundPoint p;
+DieselPoint read_point(const JsonFile& json) {
+  DieselPoint p;
   p.source = json.text("source");
   p.rpm = json.number("rpm", 300, 4000);
   p.load = json.number("load", 0, 1);
@@ -66,12 +72,12 @@ BackgroundPoint read_point(const JsonFile& json) {
   const std::vector<float> phase = json.floats("order_phase", -4, 4);
   if (level.size() != phase.size()) json.fail("order_phase", "has another length than order_level_db");
   for (std::size_t k = 0; k < level.size(); ++k)
-    p.C.push_back(std::polar(
+    p.orders.push_back(std::polar(
         level[k] <= static_cast<float>(kFloor_db) ? 0.0F : std::pow(10.0F, level[k] / 20), phase[k]));
-  p.v_lo = from_power_db(json.floats("v_lo_db", kFloor_db, kMaxLevel_db));
-  p.v_hi = from_power_db(json.floats("v_hi_db", kFloor_db, kMaxLevel_db));
-  p.s2 = json.floats("s2", 0, 2);
-  p.rho = json.number("rho", 0, 0.95);
+  p.low_variance = from_power_db(json.floats("v_lo_db", kFloor_db, kMaxLevel_db));
+  p.slot_variance = from_power_db(json.floats("v_hi_db", kFloor_db, kMaxLevel_db));
+  p.slot_log_variance = json.floats("s2", 0, 2);
+  p.slot_correlation = json.number("rho", 0, 0.95);
   return p;
 }
 
@@ -79,7 +85,7 @@ Json hydraulic_json(const HydraulicPart& h) {
   return {{"pump_order", h.pump_order},
           {"pump", plain(h.pump, 6)},
           {"flow", decimals(h.flow, 6)},
-          {"flow_A", plain(h.flow_A, 8)},
+          {"flow_A", plain(h.flow_filter, 8)},
           {"exponent", h.exponent}};
 }
 
@@ -88,12 +94,12 @@ HydraulicPart read_hydraulic(const JsonFile& json) {
   h.pump_order = json.number("pump_order", 0.01, 1000);
   h.pump = json.floats("pump", 0, 1);
   h.flow = json.number("flow", 0, 1);
-  h.flow_A = json.floats("flow_A", -kMaxCoefficient, kMaxCoefficient);
+  h.flow_filter = json.floats("flow_A", -kMaxCoefficient, kMaxCoefficient);
   h.exponent = json.number("exponent", 0, 4);
   return h;
 }
 
-BackgroundOscillator read_oscillator(const JsonFile& json) {
+DieselOscillator read_oscillator(const JsonFile& json) {
   const nlohmann::json& locked = json.value("order_locked");
   if (!locked.is_boolean()) json.fail("order_locked", "is no truth value, expected true or false");
   return {json.number("frequency", 0, 24000), locked.get<bool>(), json.number("amplitude", 0, 10),
@@ -121,10 +127,10 @@ void write(const Json& json, int depth, std::string& text) {
 
 }  // namespace
 
-std::string background_json(const BackgroundModel& m) {
+std::string background_json(const DieselModel& m) {
   Json points = Json::array(), oscillators = Json::array();
-  for (const BackgroundPoint& p : m.points) points.push_back(point_json(p));
-  for (const BackgroundOscillator& o : m.oscillators)
+  for (const DieselPoint& p : m.points) points.push_back(point_json(p));
+  for (const DieselOscillator& o : m.oscillators)
     oscillators.push_back({{"frequency", o.frequency},
                            {"order_locked", o.order_locked},
                            {"amplitude", decimals(o.amplitude, 7)},
@@ -132,14 +138,14 @@ std::string background_json(const BackgroundModel& m) {
   const Json json = {
       {"format", kBackgroundFormat},
       {"sample_rate", m.sample_rate},
-      {"N_theta", m.N_theta},
-      {"L", m.L},
-      {"P_lo", m.P_lo},
-      {"N", m.N},
-      {"f_x", m.f_x},
+      {"N_theta", m.angle_samples},
+      {"L", m.slots},
+      {"P_lo", m.low_channels},
+      {"N", m.low_scales},
+      {"f_x", m.crossover_hz},
       {"load_slope_db", m.load_slope_db},
-      {"A", plain(m.A, 8)},
-      {"E", Json{{"f_min", m.E.f_min}, {"per_octave", m.E.per_octave}, {"db", plain(m.E.db, 2)}}},
+      {"A", plain(m.body_filter, 8)},
+      {"E", Json{{"f_min", m.body.f_min}, {"per_octave", m.body.per_octave}, {"db", plain(m.body.db, 2)}}},
       {"hydraulic", hydraulic_json(m.hydraulic)},
       {"oscillators", oscillators},
       {"points", points}};
@@ -148,22 +154,22 @@ std::string background_json(const BackgroundModel& m) {
   return text + "\n";
 }
 
-BackgroundModel read_background_json(const std::filesystem::path& file) {
+DieselModel read_background_json(const std::filesystem::path& file) {
   const JsonFile json(file);
   json.require_format(kBackgroundFormat);
-  BackgroundModel m;
+  DieselModel m;
   m.sample_rate = json.number("sample_rate", 8000, 192000);
-  m.N_theta = json.integer("N_theta", 1024, kMaxBackgroundAngle);
-  m.L = json.integer("L", 16, 256);
-  m.P_lo = json.integer("P_lo", 64, 1024);
-  m.N = json.integer("N", 0, 4);
-  m.f_x = json.number("f_x", 200, 800);
+  m.angle_samples = json.integer("N_theta", 1024, kMaxCrankAngle);
+  m.slots = json.integer("L", 16, 256);
+  m.low_channels = json.integer("P_lo", 64, 1024);
+  m.low_scales = json.integer("N", 0, 4);
+  m.crossover_hz = json.number("f_x", 200, 800);
   m.load_slope_db = json.number("load_slope_db", -24, 24);
-  m.A = json.floats("A", -kMaxCoefficient, kMaxCoefficient);
+  m.body_filter = json.floats("A", -kMaxCoefficient, kMaxCoefficient);
   const JsonFile E = json.object("E");
-  m.E.f_min = E.number("f_min", 1, 1000);
-  m.E.per_octave = E.integer("per_octave", 1, 96);
-  m.E.db = E.floats("db", -120, 120);
+  m.body.f_min = E.number("f_min", 1, 1000);
+  m.body.per_octave = E.integer("per_octave", 1, 96);
+  m.body.db = E.floats("db", -120, 120);
   m.hydraulic = read_hydraulic(json.object("hydraulic"));
   for (const JsonFile& o : json.objects("oscillators")) m.oscillators.push_back(read_oscillator(o));
   for (const JsonFile& p : json.objects("points")) m.points.push_back(read_point(p));

@@ -4,7 +4,7 @@
 
 #include "rigsound/file/atomic_file.hpp"
 #include "rigsound/file/atomic_folder.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "sound_set/bank_json.hpp"
 #include "sound_set/clicks_wav.hpp"
 #include "sound_set/names.hpp"

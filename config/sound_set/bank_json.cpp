@@ -17,26 +17,26 @@ struct Field {
 // one strike a second still fits.
 constexpr Field kFields[] = {
     {"sample_rate", &ClickBank::sample_rate, 8000, 192000},
-    {"T0", &ClickBank::T_0, 16, 1e7},
-    {"sigma_T", &ClickBank::sigma_T, 0, 1e7},
-    {"r_T", &ClickBank::r_T, -0.9, 0.9},
-    {"p_miss", &ClickBank::p_miss, 0, 1},
-    {"p_double", &ClickBank::p_double, 0, 1},
-    {"B", &ClickBank::B, 1e-12, 1e6},
-    {"sigma_B", &ClickBank::sigma_B, 0, 1e6},
-    {"r_B", &ClickBank::r_B, -0.9, 0.9},
-    {"N_a", &ClickBank::N_a, 0, 1e6},
-    {"alpha_a", &ClickBank::alpha_a, -10, 10},
-    {"alpha_d", &ClickBank::alpha_d, 0, 1},
+    {"T0", &ClickBank::mean_gap_samples, 16, 1e7},
+    {"sigma_T", &ClickBank::gap_deviation_samples, 0, 1e7},
+    {"r_T", &ClickBank::gap_correlation, -0.9, 0.9},
+    {"p_miss", &ClickBank::miss_share, 0, 1},
+    {"p_double", &ClickBank::double_share, 0, 1},
+    {"B", &ClickBank::mean_amplitude, 1e-12, 1e6},
+    {"sigma_B", &ClickBank::amplitude_deviation, 0, 1e6},
+    {"r_B", &ClickBank::amplitude_correlation, -0.9, 0.9},
+    {"N_a", &ClickBank::attack_samples, 0, 1e6},
+    {"alpha_a", &ClickBank::attack_bend, -10, 10},
+    {"alpha_d", &ClickBank::decay, 0, 1},
     {"gain_db", &ClickBank::gain_db, -60, 24},
 };
 
 /// What depends on another number of the file, as the engine demands it.
 void require_consistent(const JsonFile& json, const ClickBank& bank) {
   json.number("T0", bank.sample_rate / 200, bank.sample_rate);
-  json.number("sigma_T", 0, 2 * bank.T_0);
-  json.number("sigma_B", 0, 4 * bank.B);
-  json.number("p_double", 0, 1 - bank.p_miss);
+  json.number("sigma_T", 0, 2 * bank.mean_gap_samples);
+  json.number("sigma_B", 0, 4 * bank.mean_amplitude);
+  json.number("p_double", 0, 1 - bank.miss_share);
   json.number("N_a", 0, bank.sample_rate);
 }
 

@@ -36,14 +36,14 @@ ClickBank resampled(const ClickBank& bank, double sample_rate) {
   const double ratio = sample_rate / bank.sample_rate;
   ClickBank out = bank;
   out.sample_rate = sample_rate;
-  out.T_0 *= ratio;
-  out.sigma_T *= ratio;
-  out.N_a *= ratio;
-  out.alpha_a /= ratio;
-  out.alpha_d /= ratio;
+  out.mean_gap_samples *= ratio;
+  out.gap_deviation_samples *= ratio;
+  out.attack_samples *= ratio;
+  out.attack_bend /= ratio;
+  out.decay /= ratio;
   // The same waveform has `ratio` times as many samples, so its L2 norm grows by the root of that.
-  out.B *= std::sqrt(ratio);
-  out.sigma_B *= std::sqrt(ratio);
+  out.mean_amplitude *= std::sqrt(ratio);
+  out.amplitude_deviation *= std::sqrt(ratio);
   for (std::vector<float>& click : out.clicks) click = resampled_click(click, ratio);
   return out;
 }

@@ -8,7 +8,7 @@
 
 #include "rigsound/config/bank_files.hpp"
 #include "rigsound/device_error.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "sound_set/wav_sound.hpp"
 
 namespace rigsound::config {

@@ -3,7 +3,7 @@
 #include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/file/atomic_file.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "sound_set/index_text.hpp"
 #include "sound_set/names.hpp"
 #include "text/read_text.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "sound_set/wav_sound.hpp"
 
 namespace rigsound::config {

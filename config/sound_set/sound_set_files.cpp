@@ -7,7 +7,7 @@
 #include "rigsound/config/bank_files.hpp"
 #include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/config/tool_files.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::config {
 namespace fs = std::filesystem;
@@ -72,7 +72,7 @@ SoundSet load_sound_set(const fs::path& sound_set, double sample_rate) {
   for (const std::string& tool : index.tools)
     set.tools.push_back(load_tool(sound_set / "tools" / (tool + ".json")));
   for (const std::string& background : index.backgrounds)
-    set.backgrounds.push_back(load_background(sound_set / "backgrounds" / background));
+    set.diesels.push_back(load_background(sound_set / "backgrounds" / background));
   return set;
 }
 

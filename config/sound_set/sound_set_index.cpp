@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "sound_set/index_text.hpp"
 #include "sound_set/names.hpp"
 #include "toml/toml_table.hpp"

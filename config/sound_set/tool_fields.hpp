@@ -22,8 +22,8 @@ void fields(Archive& a, DecayWish& wish) {
 
 template <class Archive>
 void fields(Archive& a, Decay& decay) {
-  a("k_min", decay.k_min);
-  a("k_max", decay.k_max);
+  a("k_min", decay.reflection_min);
+  a("k_max", decay.reflection_max);
   a("shelf_gain", decay.shelf_gain);
   a("shelf_hz", decay.shelf_hz);
   a("t60", decay.wish);
@@ -52,8 +52,8 @@ void fields(Archive& a, ToolBand& band) {
 
 template <class Archive>
 void fields(Archive& a, ToolVoicing& voicing) {
-  a("mix_T", voicing.mix_T);
-  a("mix_L", voicing.mix_L);
+  a("mix_T", voicing.transversal_mix);
+  a("mix_L", voicing.longitudinal_mix);
   a("highpass_hz", voicing.highpass_hz);
   a("level", voicing.level);
   a("equaliser", voicing.equaliser);
@@ -77,16 +77,16 @@ template <class Archive>
 void fields(Archive& a, LoopFilters& filters) {
   a("dc", filters.dc);
   a("shelf", filters.shelf);
-  a("g", filters.g);
+  a("g", filters.shelf_gain);
 }
 
 template <class Archive>
 void fields(Archive& a, LoopDesign& loop) {
-  a("N", loop.N);
+  a("N", loop.delay_samples);
   a("allpass", loop.allpass);
   a("filters", loop.filters);
-  a("k_min", loop.k_min);
-  a("k_max", loop.k_max);
+  a("k_min", loop.reflection_min);
+  a("k_max", loop.reflection_max);
 }
 
 template <class Archive>

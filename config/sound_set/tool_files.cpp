@@ -4,7 +4,7 @@
 
 #include "rigsound/device_error.hpp"
 #include "rigsound/file/atomic_file.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "sound_set/names.hpp"
 #include "sound_set/tool_json.hpp"
 

@@ -4,7 +4,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "rigsound/limits.hpp"
+#include "rigsound/machine/limits.hpp"
 #include "sound_set/tool_fields.hpp"
 
 namespace rigsound::config {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "rigsound/device_error.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::config {
 namespace {

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::config {
 

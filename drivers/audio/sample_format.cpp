@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "rigsound/mix64.hpp"
+#include "rigsound/dsp/random.hpp"
 
 namespace rigsound::audio {
 namespace {
@@ -20,7 +20,7 @@ std::int32_t to_integer(double sample, double scale) noexcept {
 
 // The sum of two uniform numbers, +-1 LSB; both halves of one 64-bit draw.
 double triangular(std::uint64_t position) noexcept {
-  const std::uint64_t bits = mix64(kDitherKey + 0x9e3779b97f4a7c15ULL * position);
+  const std::uint64_t bits = dsp::mix64(kDitherKey + 0x9e3779b97f4a7c15ULL * position);
   const auto high = static_cast<double>(bits >> 32), low = static_cast<double>(bits & 0xffffffffU);
   return (high - low) * 0x1p-32;
 }

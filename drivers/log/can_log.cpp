@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::log {
 namespace {

@@ -1,8 +1,8 @@
 #include <array>
 #include <limits>
 
-#include "rigsound/input_error.hpp"
 #include "rigsound/log/candump.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::log {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "log/modbus_conversation.hpp"
 #include "log/tcp_packet.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::log {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::log {
 namespace {

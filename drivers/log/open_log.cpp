@@ -1,8 +1,8 @@
-#include "rigsound/input_error.hpp"
 #include "rigsound/log/bus_log.hpp"
 #include "rigsound/log/can_log.hpp"
 #include "rigsound/log/modbus_capture.hpp"
 #include "rigsound/log/modbus_log.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::log {
 

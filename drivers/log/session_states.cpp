@@ -8,8 +8,8 @@
 #include "log/session_format.hpp"
 #include "log/state_words.hpp"
 #include "rigsound/audio/sample_format.hpp"
-#include "rigsound/input_error.hpp"
-#include "rigsound/limits.hpp"
+#include "rigsound/machine/input_error.hpp"
+#include "rigsound/machine/limits.hpp"
 
 namespace rigsound::log {
 namespace {

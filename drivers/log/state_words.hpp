@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "rigsound/machine_state.hpp"
+#include "rigsound/machine/machine_state.hpp"
 
 namespace rigsound::log {
 

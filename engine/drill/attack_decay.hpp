@@ -1,7 +1,7 @@
 // The attack/decay envelope of a click (drilling paper, eq. 5 and 6), sample by sample.
 #pragma once
 
-#include "dsp/elementary.hpp"
+#include "rigsound/dsp/elementary.hpp"
 
 namespace rigsound::drill {
 

@@ -16,17 +16,18 @@ bool between(double x, double low, double high) { return x >= low && x <= high; 
 
 void require_playable(const ClickBank& bank) {
   require(between(bank.sample_rate, 8000, 192000), bank, "sample_rate must be 8000...192000 Hz");
-  require(between(bank.T_0, bank.sample_rate / 200, bank.sample_rate), bank,
+  require(between(bank.mean_gap_samples, bank.sample_rate / 200, bank.sample_rate), bank,
           "T0 must be a period of 1...200 Hz");
-  require(between(bank.sigma_T, 0, 2 * bank.T_0), bank, "sigma_T must be 0...2 T0");
-  require(bank.B > 0 && between(bank.B, 0, 1e4), bank, "B must be positive");
-  require(between(bank.sigma_B, 0, 4 * bank.B), bank, "sigma_B must be 0...4 B");
-  require(between(bank.r_T, -0.99, 0.99) && between(bank.r_B, -0.99, 0.99), bank,
-          "r_T and r_B must be -0.99...0.99");
-  require(between(bank.p_miss, 0, 1) && between(bank.p_double, 0, 1 - bank.p_miss), bank,
+  require(between(bank.gap_deviation_samples, 0, 2 * bank.mean_gap_samples), bank,
+          "sigma_T must be 0...2 T0");
+  require(bank.mean_amplitude > 0 && between(bank.mean_amplitude, 0, 1e4), bank, "B must be positive");
+  require(between(bank.amplitude_deviation, 0, 4 * bank.mean_amplitude), bank, "sigma_B must be 0...4 B");
+  require(between(bank.gap_correlation, -0.99, 0.99) && between(bank.amplitude_correlation, -0.99, 0.99),
+          bank, "r_T and r_B must be -0.99...0.99");
+  require(between(bank.miss_share, 0, 1) && between(bank.double_share, 0, 1 - bank.miss_share), bank,
           "p_miss and p_double must be shares that add up to at most 1");
-  require(between(bank.N_a, 0, bank.sample_rate) && between(bank.alpha_d, 0, 1) &&
-              between(bank.alpha_a, -100, 100),
+  require(between(bank.attack_samples, 0, bank.sample_rate) && between(bank.decay, 0, 1) &&
+              between(bank.attack_bend, -100, 100),
           bank, "N_a, alpha_a or alpha_d is out of range");
   require(between(bank.gain_db, -60, 60), bank, "gain_db must be -60...60 dB");
   require(!bank.clicks.empty(), bank, "there are no clicks");

@@ -26,12 +26,11 @@ BankPlayer& BankPlayer::operator=(BankPlayer&&) noexcept = default;
 void BankPlayer::process(const DrillControls& controls, double* out) noexcept {
   Parts& p = *parts_;
   p.train.process(impact::statistics_of(p.bank, p.bank.sample_rate, 0, controls));
-  for (int i = 0; i < p.train.count(); ++i) p.player.strike(p.bank, p.train.begin()[i], controls);
+  for (const Impact& impact : p.train.impacts()) p.player.strike(p.bank, impact, controls);
   std::fill(out, out + kChunk, 0.0);
   p.player.add_to(out);
 }
 
-const Impact* BankPlayer::impacts() const noexcept { return parts_->train.begin(); }
-int BankPlayer::impact_count() const noexcept { return parts_->train.count(); }
+Impacts BankPlayer::impacts() const noexcept { return parts_->train.impacts(); }
 
 }  // namespace rigsound

@@ -35,7 +35,7 @@ void ClickPlayer::rest(std::size_t click, std::size_t clicks) noexcept {
 void ClickPlayer::strike(const ClickBank& bank, const Impact& impact,
                          const DrillControls& controls) noexcept {
   const std::vector<float>& click = choose(bank, impact.index);
-  const double gain = bank.B * impact.amplitude *
+  const double gain = bank.mean_amplitude * impact.amplitude *
                       dsp::gain_of_db(bank.gain_db + static_cast<double>(controls.mean_amplitude_db));
   const int delay = static_cast<int>(std::floor(impact.onset + 0.5));
   for (ClickVoice& voice : voices_) {

@@ -5,10 +5,10 @@
 #include <cstdint>
 
 #include "drill/click_voice.hpp"
-#include "dsp/random.hpp"
 #include "rigsound/click_bank.hpp"
+#include "rigsound/dsp/random.hpp"
 #include "rigsound/impact.hpp"
-#include "rigsound/limits.hpp"
+#include "rigsound/machine/limits.hpp"
 
 namespace rigsound::drill {
 

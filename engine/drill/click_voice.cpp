@@ -33,8 +33,8 @@ void ClickVoice::start(const ClickBank& bank, const std::vector<float>& click, i
   const double decay = static_cast<double>(controls.decay_factor);
   reshaped_ = attack != 1 || decay != 1;
   if (!reshaped_) return;
-  was_ = AttackDecay(bank.N_a, bank.alpha_a, bank.alpha_d);
-  wanted_ = AttackDecay(bank.N_a * attack, bank.alpha_a / attack, bank.alpha_d * decay);
+  was_ = AttackDecay(bank.attack_samples, bank.attack_bend, bank.decay);
+  wanted_ = AttackDecay(bank.attack_samples * attack, bank.attack_bend / attack, bank.decay * decay);
   // Both envelopes are 0 at their first sample; their ratio there is taken from the second.
   const AttackDecay was = was_, wanted = wanted_;
   ratio_ = 1;

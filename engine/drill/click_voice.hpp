@@ -5,8 +5,8 @@
 
 #include "drill/attack_decay.hpp"
 #include "rigsound/click_bank.hpp"
-#include "rigsound/limits.hpp"
-#include "rigsound/machine_state.hpp"
+#include "rigsound/machine/limits.hpp"
+#include "rigsound/machine/machine_state.hpp"
 
 namespace rigsound::drill {
 

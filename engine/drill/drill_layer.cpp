@@ -10,17 +10,14 @@ DrillLayer::DrillLayer(std::uint64_t seed, int boom)
   static_assert(kSituationCount == 5, "one player a situation");
 }
 
-void DrillLayer::process(const std::array<scene::Slot, kSituationCount>& slots, const DrillControls& controls,
-                         const impact::ImpactTrain& impacts, double* out) noexcept {
+void DrillLayer::process(const DrillInput& input, const Impacts& impacts, double* out) noexcept {
   std::fill(out, out + kChunk, 0.0);
-  for (std::size_t s = 0; s < slots.size(); ++s) {
-    const scene::Slot& slot = slots[s];
-    if (slot.bank && slot.gain_to > 0)
-      for (int i = 0; i < impacts.count(); ++i) players_[s].strike(*slot.bank, impacts.begin()[i], controls);
+  for (std::size_t s = 0; s < input.slots.size(); ++s) {
+    const Slot& slot = input.slots[s];
+    if (slot.bank && slot.gain.to > 0)
+      for (const Impact& impact : impacts) players_[s].strike(*slot.bank, impact, input.controls);
     double bus[kChunk] = {};
-    if (!players_[s].add_to(bus)) continue;
-    const double step = (slot.gain_to - slot.gain_from) / kChunk;
-    for (int n = 0; n < kChunk; ++n) out[n] += (slot.gain_from + step * (n + 1)) * bus[n];
+    if (players_[s].add_to(bus)) dsp::add_scaled(slot.gain, bus, out, kChunk);
   }
 }
 

@@ -5,8 +5,7 @@
 #include <cstdint>
 
 #include "drill/click_player.hpp"
-#include "impact/impact_train.hpp"
-#include "scene/boom_scene.hpp"
+#include "drill/drill_input.hpp"
 
 namespace rigsound::drill {
 
@@ -15,8 +14,7 @@ class DrillLayer {
   DrillLayer(std::uint64_t seed, int boom);  ///< Thread: OFF
 
   /// The next kChunk samples. A bank whose slot is silent is not struck. Thread: RT.
-  void process(const std::array<scene::Slot, kSituationCount>& slots, const DrillControls& controls,
-               const impact::ImpactTrain& impacts, double* out) noexcept;
+  void process(const DrillInput& input, const Impacts& impacts, double* out) noexcept;
 
   std::uint64_t lost() const noexcept;
 

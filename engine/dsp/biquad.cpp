@@ -1,6 +1,6 @@
-#include "dsp/biquad.hpp"
+#include "rigsound/dsp/biquad.hpp"
 
-#include "dsp/elementary.hpp"
+#include "rigsound/dsp/elementary.hpp"
 
 namespace rigsound::dsp {
 

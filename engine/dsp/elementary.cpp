@@ -1,4 +1,4 @@
-#include "dsp/elementary.hpp"
+#include "rigsound/dsp/elementary.hpp"
 
 #include <cstdint>
 #include <cstring>

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "dsp/elementary.hpp"
+#include "rigsound/dsp/elementary.hpp"
 
 namespace rigsound::dsp {
 

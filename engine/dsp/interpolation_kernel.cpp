@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "dsp/elementary.hpp"
-#include "dsp/lanes.hpp"
+#include "rigsound/dsp/elementary.hpp"
+#include "rigsound/dsp/lanes.hpp"
 
 namespace rigsound::dsp {
 namespace {

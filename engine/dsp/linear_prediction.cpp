@@ -1,6 +1,6 @@
 #include "rigsound/dsp/linear_prediction.hpp"
 
-#include "dsp/elementary.hpp"
+#include "rigsound/dsp/elementary.hpp"
 
 namespace rigsound::dsp {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "dsp/elementary.hpp"
+#include "rigsound/dsp/elementary.hpp"
 
 namespace rigsound::dsp {
 namespace {

@@ -25,15 +25,18 @@ double autoregress(double z, double r, double innovation) noexcept {
 Statistics statistics_of(const ClickBank& bank, double sample_rate, double rate_hz,
                          const DrillControls& controls) noexcept {
   Statistics s;
-  s.T_0 = bank.T_0;
-  if (rate_hz > 0) s.T_0 = sample_rate / rate_hz;
-  if (controls.mean_frequency_hz > 0) s.T_0 = sample_rate / static_cast<double>(controls.mean_frequency_hz);
-  s.cv_T = bank.sigma_T / bank.T_0 * static_cast<double>(controls.deviation_time);
-  s.cv_B = bank.sigma_B / bank.B * static_cast<double>(controls.deviation_amplitude);
-  s.r_T = bank.r_T;
-  s.r_B = bank.r_B;
-  s.p_miss = bank.p_miss;
-  s.p_double = bank.p_double;
+  s.mean_gap_samples = bank.mean_gap_samples;
+  if (rate_hz > 0) s.mean_gap_samples = sample_rate / rate_hz;
+  if (controls.mean_frequency_hz > 0)
+    s.mean_gap_samples = sample_rate / static_cast<double>(controls.mean_frequency_hz);
+  s.gap_variation =
+      bank.gap_deviation_samples / bank.mean_gap_samples * static_cast<double>(controls.deviation_time);
+  s.amplitude_variation =
+      bank.amplitude_deviation / bank.mean_amplitude * static_cast<double>(controls.deviation_amplitude);
+  s.gap_correlation = bank.gap_correlation;
+  s.amplitude_correlation = bank.amplitude_correlation;
+  s.miss_share = bank.miss_share;
+  s.double_share = bank.double_share;
   return s;
 }
 
@@ -42,13 +45,13 @@ Statistics blend(const Statistics& a, const Statistics& b, double share) noexcep
   if (share >= 1) return b;
   const auto mix = [share](double x, double y) { return x + (y - x) * share; };
   Statistics s;
-  s.T_0 = dsp::exp(mix(dsp::log(a.T_0), dsp::log(b.T_0)));
-  s.cv_T = mix(a.cv_T, b.cv_T);
-  s.r_T = mix(a.r_T, b.r_T);
-  s.p_miss = mix(a.p_miss, b.p_miss);
-  s.p_double = mix(a.p_double, b.p_double);
-  s.cv_B = mix(a.cv_B, b.cv_B);
-  s.r_B = mix(a.r_B, b.r_B);
+  s.mean_gap_samples = dsp::exp(mix(dsp::log(a.mean_gap_samples), dsp::log(b.mean_gap_samples)));
+  s.gap_variation = mix(a.gap_variation, b.gap_variation);
+  s.gap_correlation = mix(a.gap_correlation, b.gap_correlation);
+  s.miss_share = mix(a.miss_share, b.miss_share);
+  s.double_share = mix(a.double_share, b.double_share);
+  s.amplitude_variation = mix(a.amplitude_variation, b.amplitude_variation);
+  s.amplitude_correlation = mix(a.amplitude_correlation, b.amplitude_correlation);
   return s;
 }
 
@@ -56,31 +59,31 @@ ImpactTrain::ImpactTrain(std::uint64_t seed, int boom) noexcept
     : random_(seed, 1, static_cast<std::uint64_t>(boom)) {}
 
 double ImpactTrain::draw_gap(const Statistics& s) noexcept {
-  z_gap_ = autoregress(z_gap_, s.r_T, random_.normal(index_, kGapNormal));
-  double gap = lognormal(s.cv_T, z_gap_);
+  z_gap_ = autoregress(z_gap_, s.gap_correlation, random_.normal(index_, kGapNormal));
+  double gap = lognormal(s.gap_variation, z_gap_);
   const double u = random_.uniform(index_, kMissOrDouble);
-  if (u < s.p_miss)
+  if (u < s.miss_share)
     gap *= kMissGap;
-  else if (u < s.p_miss + s.p_double)
+  else if (u < s.miss_share + s.double_share)
     gap *= kDoubleGap;
   return std::max(gap, kShortestGap);
 }
 
 double ImpactTrain::draw_amplitude(const Statistics& s) noexcept {
-  z_amplitude_ = autoregress(z_amplitude_, s.r_B, random_.normal(index_, kAmplitudeNormal));
-  return lognormal(s.cv_B, z_amplitude_);
+  z_amplitude_ = autoregress(z_amplitude_, s.amplitude_correlation, random_.normal(index_, kAmplitudeNormal));
+  return lognormal(s.amplitude_variation, z_amplitude_);
 }
 
 void ImpactTrain::process(const Statistics& s) noexcept {
   count_ = 0;
-  if (!(s.T_0 >= 1)) {
+  if (!(s.mean_gap_samples >= 1)) {
     waited_ = gap_ = 0;
     return;
   }
   // Time is counted in mean gaps, so a change of rate acts at once, also on the gap that is running.
-  const double chunk = kChunk / s.T_0;
+  const double chunk = kChunk / s.mean_gap_samples;
   while (gap_ - waited_ < chunk && count_ < kMaxImpacts) {
-    const double onset = std::max(0.0, gap_ - waited_) * s.T_0;
+    const double onset = std::max(0.0, gap_ - waited_) * s.mean_gap_samples;
     if (!(onset < kChunk)) break;
     impacts_[static_cast<std::size_t>(count_++)] = {onset, draw_amplitude(s), index_};
     waited_ -= gap_;

@@ -4,24 +4,24 @@
 #include <array>
 #include <cstdint>
 
-#include "dsp/random.hpp"
 #include "rigsound/click_bank.hpp"
+#include "rigsound/dsp/random.hpp"
 #include "rigsound/impact.hpp"
-#include "rigsound/limits.hpp"
-#include "rigsound/machine_state.hpp"
+#include "rigsound/machine/limits.hpp"
+#include "rigsound/machine/machine_state.hpp"
 
 namespace rigsound::impact {
 
 /// How blows are spaced and weighed (drilling paper, section 3.7; gaps and amplitudes are lognormal
 /// AR(1) series, so that neither can turn negative).
 struct Statistics {
-  double T_0 = 0;       ///< mean gap, samples; 0: no blows
-  double cv_T = 0;      ///< sigma_T / T_0
-  double r_T = 0;       ///< lag-1 correlation of gaps
-  double p_miss = 0;    ///< share of doubled gaps
-  double p_double = 0;  ///< share of short gaps
-  double cv_B = 0;      ///< sigma_B / B
-  double r_B = 0;       ///< lag-1 correlation of amplitudes
+  double mean_gap_samples = 0;       ///< T_0: mean gap; 0: no impacts
+  double gap_variation = 0;          ///< sigma_T / T_0
+  double gap_correlation = 0;        ///< lag-1 correlation of gaps
+  double miss_share = 0;             ///< share of doubled gaps
+  double double_share = 0;           ///< share of short gaps
+  double amplitude_variation = 0;    ///< sigma_B / B
+  double amplitude_correlation = 0;  ///< lag-1 correlation of amplitudes
 };
 
 /// The statistics of `bank` under the live controls. `rate_hz` > 0 (the machine's) replaces the bank's
@@ -29,19 +29,19 @@ struct Statistics {
 Statistics statistics_of(const ClickBank& bank, double sample_rate, double rate_hz,
                          const DrillControls& controls) noexcept;
 
-/// Mixture of two statistics: T_0 geometrically, the rest linearly. `share` 0...1 is b's. Thread: RT.
+/// Mixture of two statistics: the mean gap geometrically, the rest linearly. `share` 0...1 is b's. Thread:
+/// RT.
 Statistics blend(const Statistics& a, const Statistics& b, double share) noexcept;
 
 class ImpactTrain {
  public:
   ImpactTrain(std::uint64_t seed, int boom) noexcept;
 
-  /// Blows that start within the next kChunk samples. With T_0 = 0 the hammer rests, and strikes at once
-  /// when it comes back. Thread: RT.
+  /// Blows that start within the next kChunk samples. Without a mean gap the hammer rests, and strikes at
+  /// once when it comes back. Thread: RT.
   void process(const Statistics& statistics) noexcept;
 
-  const Impact* begin() const noexcept { return impacts_.data(); }
-  int count() const noexcept { return count_; }
+  Impacts impacts() const noexcept { return {impacts_.data(), count_}; }
 
  private:
   double draw_gap(const Statistics& s) noexcept;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "dsp/elementary.hpp"
+#include "rigsound/dsp/elementary.hpp"
 
 namespace rigsound::mix {
 namespace {

@@ -1,7 +1,7 @@
 // The ceiling: no sample ever exceeds it, and none is late for it.
 #pragma once
 
-#include "rigsound/limits.hpp"
+#include "rigsound/machine/limits.hpp"
 
 namespace rigsound::mix {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "dsp/elementary.hpp"
+#include "rigsound/dsp/elementary.hpp"
 
 namespace rigsound::mix {
 namespace {
@@ -42,7 +42,7 @@ Mixer::Mixer(const EngineOptions& options)
     set_gains(gains.drill, channels_, dsp::gain_of_db(options.mix.drill_db + boom.gain_db), boom.pan);
     set_gains(gains.tool, channels_, dsp::gain_of_db(options.mix.tool_db + boom.gain_db), boom.pan);
   }
-  set_gains(background_, channels_, dsp::gain_of_db(options.mix.background_db), 0);
+  set_gains(diesel_, channels_, dsp::gain_of_db(options.mix.diesel_db), 0);
   for (int c = 0; c < channels_; ++c)
     for (const EqualiserBand& band : options.mix.equaliser)
       equaliser_.emplace_back(dsp::peaking(band.frequency_hz, band.gain_db, band.q, options.sample_rate));
@@ -51,7 +51,7 @@ Mixer::Mixer(const EngineOptions& options)
 void Mixer::place(const Buses& buses, double (*x)[kChunk]) const noexcept {
   for (int c = 0; c < channels_; ++c) {
     const auto channel = static_cast<std::size_t>(c);
-    for (int n = 0; n < kChunk; ++n) x[c][n] = background_[channel] * buses.background[n];
+    for (int n = 0; n < kChunk; ++n) x[c][n] = diesel_[channel] * buses.diesel[n];
     for (int b = 0; b < booms_; ++b) {
       const BoomGains& gains = boom_[static_cast<std::size_t>(b)];
       for (int n = 0; n < kChunk; ++n)
@@ -60,12 +60,11 @@ void Mixer::place(const Buses& buses, double (*x)[kChunk]) const noexcept {
   }
 }
 
-void Mixer::process(const Buses& buses, double gain_from, double gain_to, float* out) noexcept {
+void Mixer::process(const Buses& buses, const dsp::Ramp& gain, float* out) noexcept {
   double x[kMaxChannels][kChunk];
   place(buses, x);
-  const double step = (gain_to - gain_from) / kChunk;
   for (int c = 0; c < channels_; ++c) {
-    for (int n = 0; n < kChunk; ++n) x[c][n] *= gain_from + step * (n + 1);
+    dsp::scale(gain, x[c], kChunk);
     for (int e = 0; e < bands_; ++e) {
       dsp::Biquad& band = equaliser_[static_cast<std::size_t>(c * bands_ + e)];
       for (int n = 0; n < kChunk; ++n) x[c][n] = band.process(x[c][n]);

@@ -4,10 +4,11 @@
 #include <array>
 #include <vector>
 
-#include "dsp/biquad.hpp"
 #include "mix/limiter.hpp"
-#include "rigsound/engine.hpp"
-#include "rigsound/limits.hpp"
+#include "rigsound/dsp/biquad.hpp"
+#include "rigsound/dsp/ramp.hpp"
+#include "rigsound/machine/limits.hpp"
+#include "rigsound/options.hpp"
 
 namespace rigsound::mix {
 
@@ -15,16 +16,15 @@ namespace rigsound::mix {
 struct Buses {
   double drill[kMaxBooms][kChunk];
   double tool[kMaxBooms][kChunk];
-  double background[kChunk];
+  double diesel[kChunk];
 };
 
 class Mixer {
  public:
   explicit Mixer(const EngineOptions& options);  ///< Thread: OFF
 
-  /// Mixes one chunk to `out` (kChunk x channels, interleaved); the output level goes linearly from
-  /// `gain_from` to `gain_to`. Thread: RT.
-  void process(const Buses& buses, double gain_from, double gain_to, float* out) noexcept;
+  /// Mixes one chunk to `out` (kChunk x channels, interleaved) at the output level `gain`. Thread: RT.
+  void process(const Buses& buses, const dsp::Ramp& gain, float* out) noexcept;
 
   double lowest_gain() const noexcept { return limiter_.lowest_gain(); }
 
@@ -37,7 +37,7 @@ class Mixer {
     std::array<double, kMaxChannels> drill{}, tool{};
   };
   std::array<BoomGains, kMaxBooms> boom_{};
-  std::array<double, kMaxChannels> background_{};
+  std::array<double, kMaxChannels> diesel_{};
   std::vector<dsp::Biquad> equaliser_;  ///< bands of channel 0, then of channel 1, ...
   int bands_;
   Limiter limiter_;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "dsp/elementary.hpp"
+#include "rigsound/dsp/elementary.hpp"
 #include "scene/bank_choice.hpp"
 
 namespace rigsound::scene {
@@ -23,7 +23,7 @@ BoomScene::BoomScene(const EngineOptions& options, const SoundSet& sounds) noexc
                           : 1.0),
       burst_chunks_(options.scene.open_burst_s * options.sample_rate / kChunk),
       sustain_gain_(dsp::gain_of_db(options.scene.open_sustain_db)),
-      burst_fall_(dsp::exp(-kChunk / (kBurstFall_s * options.sample_rate))),
+      burst_fall_(dsp::one_pole_remainder(kBurstFall_s, kChunk, options.sample_rate)),
       rule_(options.scene) {
   latch(BoomState{});
   power_[static_cast<std::size_t>(rule_.situation())] = 1;
@@ -34,8 +34,10 @@ void BoomScene::latch(const BoomState& state) noexcept {
   state_ = state;
   rule_.update(state);
   if (opens) burst_left_ = burst_chunks_, burst_gain_ = 1;
-  for (std::size_t i = 0; i < slots_.size(); ++i)
-    slots_[i].bank = choose_bank(sounds_, static_cast<Situation>(i), state.rod_count, state.rock);
+  drill_.controls = state.controls;
+  tool_.rods = state.rod_count;
+  for (std::size_t i = 0; i < drill_.slots.size(); ++i)
+    drill_.slots[i].bank = choose_bank(sounds_, static_cast<Situation>(i), state.rod_count, state.rock);
 }
 
 /// Equal-power crossfade: the target's power grows linearly, the others keep their proportions, and the
@@ -60,10 +62,11 @@ void BoomScene::blend_statistics() noexcept {
   statistics_ = {};
   if (!rule_.hammering()) return;
   double total = 0;
-  for (std::size_t i = 0; i < slots_.size(); ++i) {
-    if (power_[i] <= 0 || !slots_[i].bank) continue;
+  for (std::size_t i = 0; i < drill_.slots.size(); ++i) {
+    const ClickBank* const bank = drill_.slots[i].bank;
+    if (power_[i] <= 0 || !bank) continue;
     total += power_[i];
-    const auto own = impact::statistics_of(*slots_[i].bank, sample_rate_,
+    const auto own = impact::statistics_of(*bank, sample_rate_,
                                            static_cast<double>(state_.percussion_rate_hz), state_.controls);
     statistics_ = impact::blend(statistics_, own, power_[i] / total);
   }
@@ -72,11 +75,10 @@ void BoomScene::blend_statistics() noexcept {
 void BoomScene::advance() noexcept {
   crossfade();
   const double burst = burst_gain();
-  for (std::size_t i = 0; i < slots_.size(); ++i) {
-    slots_[i].gain_from = slots_[i].gain_to;
-    slots_[i].gain_to = std::sqrt(power_[i]) * (i == kOpen ? burst : 1.0);
-  }
+  for (std::size_t i = 0; i < drill_.slots.size(); ++i)
+    drill_.slots[i].gain.go_to(std::sqrt(power_[i]) * (i == kOpen ? burst : 1.0));
   blend_statistics();
+  if (statistics_.mean_gap_samples > 0) tool_.period = statistics_.mean_gap_samples;
 }
 
 }  // namespace rigsound::scene

@@ -3,18 +3,15 @@
 
 #include <array>
 
+#include "drill/drill_input.hpp"
 #include "impact/impact_train.hpp"
-#include "rigsound/engine.hpp"
-#include "rigsound/limits.hpp"
+#include "rigsound/machine/limits.hpp"
+#include "rigsound/options.hpp"
+#include "rigsound/sound_set.hpp"
 #include "scene/feed_rule.hpp"
+#include "tool/tool_input.hpp"
 
 namespace rigsound::scene {
-
-/// The bank that serves a situation now, and its gain over the chunk.
-struct Slot {
-  const ClickBank* bank = nullptr;
-  double gain_from = 0, gain_to = 0;  ///< linear ramp over kChunk samples
-};
 
 class BoomScene {
  public:
@@ -26,9 +23,9 @@ class BoomScene {
   /// Moves on by one chunk. Thread: RT.
   void advance() noexcept;
 
-  const std::array<Slot, kSituationCount>& slots() const noexcept { return slots_; }
-  const impact::Statistics& statistics() const noexcept { return statistics_; }
-  const BoomState& state() const noexcept { return state_; }
+  const impact::Statistics& impacts() const noexcept { return statistics_; }
+  const drill::DrillInput& drill() const noexcept { return drill_; }
+  const tool::ToolInput& tool() const noexcept { return tool_; }
   bool hammering() const noexcept { return rule_.hammering(); }
 
  private:
@@ -43,7 +40,8 @@ class BoomScene {
   FeedRule rule_;
   BoomState state_;
   std::array<double, kSituationCount> power_{};  ///< power of each situation, sums to 1
-  std::array<Slot, kSituationCount> slots_{};
+  drill::DrillInput drill_;
+  tool::ToolInput tool_;
   impact::Statistics statistics_;
   double burst_left_ = 0;  ///< chunks
   double burst_gain_ = 1;

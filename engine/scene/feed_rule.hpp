@@ -1,9 +1,9 @@
 // From feed pressure and rattling mode to the drilling situation, with hysteresis.
 #pragma once
 
-#include "rigsound/engine.hpp"
-#include "rigsound/machine_state.hpp"
-#include "rigsound/situation.hpp"
+#include "rigsound/machine/machine_state.hpp"
+#include "rigsound/machine/situation.hpp"
+#include "rigsound/options.hpp"
 
 namespace rigsound::scene {
 

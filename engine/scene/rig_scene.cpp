@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "dsp/elementary.hpp"
+#include "rigsound/dsp/elementary.hpp"
 
 namespace rigsound::scene {
 namespace {
@@ -14,16 +14,12 @@ constexpr double kGain_s = 0.02;
 // A diesel that only idles and one that feeds and hammers at full pressure, when no bus says its load.
 constexpr double kFeedShare = 0.5, kHammerShare = 0.4;
 
-double smoothing(double time_s, double sample_rate) noexcept {
-  return dsp::exp(-kChunk / (time_s * sample_rate));
-}
-
 }  // namespace
 
 RigScene::RigScene(const EngineOptions& options) noexcept
     : overfeed_bar_(options.scene.overfeed_bar),
-      load_smoothing_(smoothing(kLoad_s, options.sample_rate)),
-      gain_smoothing_(smoothing(kGain_s, options.sample_rate)) {}
+      load_smoothing_(dsp::one_pole_remainder(kLoad_s, kChunk, options.sample_rate)),
+      gain_smoothing_(dsp::one_pole_remainder(kGain_s, kChunk, options.sample_rate)) {}
 
 void RigScene::latch(const MachineState& state, int booms, int hammering) noexcept {
   double feed = 0;
@@ -32,17 +28,17 @@ void RigScene::latch(const MachineState& state, int booms, int hammering) noexce
   feed_ = std::min(1.0, feed / overfeed_bar_);
   load_ = state.engine_load >= 0 ? static_cast<double>(state.engine_load)
                                  : kFeedShare * feed_ + (hammering > 0 ? kHammerShare : 0.0);
-  background_.rpm = static_cast<double>(state.engine_rpm);
-  gain_ = dsp::gain_of_db(static_cast<double>(state.master_gain_db)) * static_cast<double>(state.safety_gain);
+  diesel_.rpm = static_cast<double>(state.engine_rpm);
+  wanted_gain_ =
+      dsp::gain_of_db(static_cast<double>(state.master_gain_db)) * static_cast<double>(state.safety_gain);
 }
 
 void RigScene::advance() noexcept {
-  background_.load = load_ + (background_.load - load_) * load_smoothing_;
-  background_.feed = feed_ + (background_.feed - feed_) * load_smoothing_;
-  gain_from_ = gain_to_;
-  gain_to_ = gain_ + (gain_to_ - gain_) * gain_smoothing_;
+  diesel_.load = load_ + (diesel_.load - load_) * load_smoothing_;
+  diesel_.feed = feed_ + (diesel_.feed - feed_) * load_smoothing_;
+  gain_.go_to(wanted_gain_ + (gain_.to - wanted_gain_) * gain_smoothing_);
   // An exponential never arrives; a muted rig has to be silent, not nearly so.
-  if (gain_ == 0 && gain_to_ < 1e-6) gain_to_ = 0;
+  if (wanted_gain_ == 0 && gain_.to < 1e-6) gain_.to = 0;
 }
 
 }  // namespace rigsound::scene

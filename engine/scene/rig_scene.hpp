@@ -1,8 +1,10 @@
 // What the whole rig shall sound like in the next chunk: its diesel and its output level.
 #pragma once
 
-#include "background/background_controls.hpp"
-#include "rigsound/engine.hpp"
+#include "rigsound/diesel_player.hpp"
+#include "rigsound/dsp/ramp.hpp"
+#include "rigsound/machine/machine_state.hpp"
+#include "rigsound/options.hpp"
 
 namespace rigsound::scene {
 
@@ -16,16 +18,15 @@ class RigScene {
   /// Moves on by one chunk. Thread: RT.
   void advance() noexcept;
 
-  const background::BackgroundControls& background() const noexcept { return background_; }
-  double gain_from() const noexcept { return gain_from_; }  ///< output level over the chunk, linear
-  double gain_to() const noexcept { return gain_to_; }
+  const DieselInput& diesel() const noexcept { return diesel_; }
+  const dsp::Ramp& gain() const noexcept { return gain_; }  ///< output level over the chunk, linear
 
  private:
   double overfeed_bar_;
   double load_smoothing_, gain_smoothing_;
-  background::BackgroundControls background_;
-  double load_ = 0, feed_ = 0;  ///< targets
-  double gain_ = 1, gain_from_ = 0, gain_to_ = 0;
+  DieselInput diesel_;
+  double load_ = 0, feed_ = 0, wanted_gain_ = 1;  ///< targets
+  dsp::Ramp gain_;
 };
 
 }  // namespace rigsound::scene

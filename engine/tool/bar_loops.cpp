@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dsp/elementary.hpp"
+#include "rigsound/dsp/elementary.hpp"
 
 namespace rigsound::tool {
 namespace {
@@ -66,17 +66,17 @@ void BarLoops::place_sections(const LoopDesign& loop, Family family, int width) 
   if (allpass.first_orders) place(idle + allpass.sections, allpass.a, 0);
   enter(family, idle);
   state_.last[family] = seats.lane(seats.end - 1, width);
-  state_.delay[family] = loop.N - (stages - 1);
+  state_.delay[family] = loop.delay_samples - (stages - 1);
   place_filters(loop, family, allpass.first_orders ? -1 : 1);
 }
 
 void BarLoops::place_paper_loops(const ToolDesign& design, LaneWidth width) noexcept {
   const int w = static_cast<int>(width), M = design.transversal.allpass.first_orders;
-  const int N_T = design.transversal.N;
+  const int N_T = design.transversal.delay_samples;
   const double a = design.transversal.allpass.a;
   state_.paper.lambda = (a - 1) / (a + 1);
   state_.last[kLongitudinal] = -1;
-  state_.delay[kLongitudinal] = design.longitudinal.N;
+  state_.delay[kLongitudinal] = design.longitudinal.delay_samples;
   if (N_T < M) {
     kernel_ = run_paper_in_sequence;
     state_.seats[kTransversal] = {0, M, M};
@@ -98,8 +98,8 @@ void BarLoops::place_filters(const LoopDesign& loop, Family family, double sign)
   const LoopFilters& f = loop.filters;
   state_.dc_r[family] = (1 - f.dc) / (1 + f.dc);
   const double gain = sign * dc_gain(state_.dc_r[family]);
-  state_.sh_0[family] = gain * ((f.shelf + f.g) / (f.shelf + 1));
-  state_.sh_1[family] = gain * ((f.shelf - f.g) / (f.shelf + 1));
+  state_.sh_0[family] = gain * ((f.shelf + f.shelf_gain) / (f.shelf + 1));
+  state_.sh_1[family] = gain * ((f.shelf - f.shelf_gain) / (f.shelf + 1));
   state_.sh_q[family] = (1 - f.shelf) / (1 + f.shelf);
 }
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "rigsound/limits.hpp"
+#include "rigsound/machine/limits.hpp"
 #include "rigsound/tool_design.hpp"
 
 namespace rigsound::tool {

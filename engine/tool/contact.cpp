@@ -5,11 +5,11 @@
 namespace rigsound::tool {
 
 Contact::Contact(const LoopDesign& loop, const Strike& strike, double sample_rate) noexcept
-    : k_min_(loop.k_min),
-      k_max_(loop.k_max),
-      fall_((loop.k_max - loop.k_min) / (strike.fall_s * sample_rate)),
-      rise_((loop.k_max - loop.k_min) / (strike.rise_s * sample_rate)),
-      k_(loop.k_max) {}
+    : k_min_(loop.reflection_min),
+      k_max_(loop.reflection_max),
+      fall_((loop.reflection_max - loop.reflection_min) / (strike.fall_s * sample_rate)),
+      rise_((loop.reflection_max - loop.reflection_min) / (strike.rise_s * sample_rate)),
+      k_(loop.reflection_max) {}
 
 /// Goes straight to `target` and stops there; returns the sample after the one that reached it.
 int Contact::ramp(int from, int to, double target, double step, double* k_T) noexcept {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "rigsound/limits.hpp"
+#include "rigsound/machine/limits.hpp"
 
 namespace rigsound::tool {
 

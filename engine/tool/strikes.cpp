@@ -69,8 +69,8 @@ void Strikes::render(const Pulse& pulse, double* x) noexcept {
   }
 }
 
-bool Strikes::process(const Impact* impacts, int count, double period, double* x) noexcept {
-  for (int i = 0; i < count; ++i) add(impacts[i], period);
+bool Strikes::process(const Impacts& impacts, double period, double* x) noexcept {
+  for (const Impact& impact : impacts) add(impact, period);
   std::fill(x, x + kChunk, 0.0);
   touch_count_ = 0;
   bool struck = false;

@@ -3,9 +3,9 @@
 
 #include <array>
 
-#include "dsp/random.hpp"
+#include "rigsound/dsp/random.hpp"
 #include "rigsound/impact.hpp"
-#include "rigsound/limits.hpp"
+#include "rigsound/machine/limits.hpp"
 #include "rigsound/tool_model.hpp"
 
 namespace rigsound::tool {
@@ -24,7 +24,7 @@ class Strikes {
 
   /// The chunk's blows, on average `period` samples apart, and what is left of earlier ones. Writes kChunk
   /// samples; false: all of them are zero.
-  bool process(const Impact* impacts, int count, double period, double* x) noexcept;
+  bool process(const Impacts& impacts, double period, double* x) noexcept;
 
   /// Of the last chunk, in rising order.
   const Touch* begin() const noexcept { return touches_.data(); }

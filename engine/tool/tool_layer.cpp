@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "dsp/elementary.hpp"
+#include "rigsound/dsp/elementary.hpp"
 
 namespace rigsound::tool {
 namespace {
@@ -48,7 +48,7 @@ ToolLayer::Steel ToolLayer::steel_of(const ToolDesign& design) const noexcept {
   Steel steel{BarLoops(design, model_.voicing.highpass_hz, width_),
               Contact(design.transversal, model_.strike, sample_rate_),
               {}};
-  steel.k_L.fill(design.longitudinal.k_max);
+  steel.k_L.fill(design.longitudinal.reflection_max);
   return steel;
 }
 
@@ -73,16 +73,16 @@ void ToolLayer::begin_fade() noexcept {
   fade_ = fade_step_;
 }
 
-void ToolLayer::follow(const ToolControls& controls) noexcept {
-  amplitude_.process(controls.amplitude);
-  k_T_.process(controls.k_T);
-  k_L_.process(controls.k_L);
-  mix_T_.process(weight_T() * controls.mix_T);
-  mix_L_.process(weight_L() * controls.mix_L);
+void ToolLayer::follow(const ToolInput& input) noexcept {
+  amplitude_.process(input.amplitude);
+  k_T_.process(input.transversal_reflection);
+  k_L_.process(input.longitudinal_reflection);
+  mix_T_.process(weight_T() * input.transversal_mix);
+  mix_L_.process(weight_L() * input.longitudinal_mix);
 }
 
-void ToolLayer::strike(const Impact* impacts, int count, double period) noexcept {
-  drive_.struck = strikes_.process(impacts, count, period, x_);
+void ToolLayer::strike(const Impacts& impacts, double period) noexcept {
+  drive_.struck = strikes_.process(impacts, period, x_);
   if (!amplitude_.rests_at(1))
     for (int n = 0; n < kChunk; ++n) x_[n] *= amplitude_.curve()[n];
 }
@@ -117,12 +117,11 @@ void ToolLayer::equalise(double* out) noexcept {
   }
 }
 
-void ToolLayer::process(const Impact* impacts, int count, const ToolControls& controls,
-                        double* out) noexcept {
-  follow_rods(controls.rods);
+void ToolLayer::process(const ToolInput& input, const Impacts& impacts, double* out) noexcept {
+  follow_rods(input.rods);
   begin_fade();
-  follow(controls);
-  strike(impacts, count, controls.period);
+  follow(input);
+  strike(impacts, input.period);
   ring(steels_[ringing_], out);
   if (fade_ > 0) crossfade(out);
   equalise(out);

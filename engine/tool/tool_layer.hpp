@@ -4,25 +4,17 @@
 #include <array>
 #include <vector>
 
-#include "dsp/biquad.hpp"
+#include "rigsound/dsp/biquad.hpp"
 #include "rigsound/impact.hpp"
-#include "rigsound/limits.hpp"
+#include "rigsound/machine/limits.hpp"
 #include "rigsound/tool_model.hpp"
 #include "tool/bar_loops.hpp"
 #include "tool/contact.hpp"
 #include "tool/ramped_curve.hpp"
 #include "tool/strikes.hpp"
+#include "tool/tool_input.hpp"
 
 namespace rigsound::tool {
-
-/// Live controls, neutral as they stand. A change of a gain or a factor is ramped.
-struct ToolControls {
-  double period = 2400;         ///< mean gap between blows, samples, > 0; bounces follow it
-  double amplitude = 1;         ///< of the blows, 0...10
-  double k_T = 1, k_L = 1;      ///< factors on the reflections, 0...1.2; none exceeds 0.9999
-  double mix_T = 1, mix_L = 1;  ///< factors on the weights of the families, 0...10
-  int rods = 1;                 ///< on the string; picks the steel
-};
 
 class ToolLayer {
  public:
@@ -31,8 +23,8 @@ class ToolLayer {
   ToolLayer(const ToolModel& model, double sample_rate, std::uint64_t seed, int boom,
             LaneWidth width = widest_lanes());
 
-  /// The next kChunk samples, struck by `count` impacts. Thread: RT.
-  void process(const Impact* impacts, int count, const ToolControls& controls, double* out) noexcept;
+  /// The next kChunk samples, struck by `impacts`. Thread: RT.
+  void process(const ToolInput& input, const Impacts& impacts, double* out) noexcept;
 
   /// Another steel (a rod changed, a worn bit): both ring through a crossfade of 20 ms. Called during one,
   /// it waits its turn; the last call wins. `design` must come from design_tool() at this layer's rate.
@@ -47,13 +39,13 @@ class ToolLayer {
     std::array<double, kChunk> k_L;  ///< the longitudinal reflection, which nothing moves but the controls
   };
 
-  double weight_T() const noexcept { return model_.voicing.level * model_.voicing.mix_T; }
-  double weight_L() const noexcept { return model_.voicing.level * model_.voicing.mix_L; }
+  double weight_T() const noexcept { return model_.voicing.level * model_.voicing.transversal_mix; }
+  double weight_L() const noexcept { return model_.voicing.level * model_.voicing.longitudinal_mix; }
   Steel steel_of(const ToolDesign& design) const noexcept;
   void follow_rods(int rods) noexcept;
   void begin_fade() noexcept;
-  void follow(const ToolControls& controls) noexcept;
-  void strike(const Impact* impacts, int count, double period) noexcept;
+  void follow(const ToolInput& input) noexcept;
+  void strike(const Impacts& impacts, double period) noexcept;
   void ring(Steel& steel, double* out) noexcept;
   void crossfade(double* out) noexcept;
   void equalise(double* out) noexcept;

@@ -23,7 +23,7 @@ config::SoundSetIndex write(const SoundSet& sounds, const std::filesystem::path&
     config::save_tool(folder, tool);
     index.tools.push_back(tool.name);
   }
-  for (BackgroundModel background : sounds.backgrounds) {
+  for (DieselModel background : sounds.diesels) {
     background.name = "diesel";  // its own has a space, which a folder may not
     config::save_background(folder, background);
     index.backgrounds.push_back(background.name);

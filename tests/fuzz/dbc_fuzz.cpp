@@ -3,7 +3,7 @@
 #include "fuzz_target.hpp"
 #include "rigsound/can/signal_reading.hpp"
 #include "rigsound/config/dbc.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 using namespace rigsound;
 

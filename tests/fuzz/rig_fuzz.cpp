@@ -4,7 +4,7 @@
 
 #include "fuzz_target.hpp"
 #include "rigsound/config/rig.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 using namespace rigsound;
 

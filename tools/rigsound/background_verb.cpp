@@ -16,8 +16,8 @@
 #include "rigsound/analysis/wave_file.hpp"
 #include "rigsound/config/background_files.hpp"
 #include "rigsound/config/sound_set_index.hpp"
-#include "rigsound/default_background.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/default_diesel.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -99,7 +99,7 @@ void require_matching(const BackgroundOptions& o) {
   if (o.out.empty() && o.resynth.empty()) throw CLI::ValidationError("--out", "is needed, or --resynth");
 }
 
-void write_resynthesis(const BackgroundOptions& o, const BackgroundModel& model) {
+void write_resynthesis(const BackgroundOptions& o, const DieselModel& model) {
   const double rpm = o.resynth_rpm > 0 ? o.resynth_rpm : model.points.front().rpm;
   const auto samples = static_cast<std::size_t>(o.seconds * analysis::kAnalysisRate);
   const std::vector<double> track =
@@ -112,7 +112,7 @@ void write_resynthesis(const BackgroundOptions& o, const BackgroundModel& model)
 }
 
 nlohmann::ordered_json report(const analysis::LearnedBackground& learned, const BackgroundOptions& o) {
-  const BackgroundModel& m = learned.model;
+  const DieselModel& m = learned.model;
   nlohmann::ordered_json points = nlohmann::ordered_json::array();
   double samples = 0;
   for (const analysis::LearnedPoint& p : learned.points) {
@@ -127,7 +127,7 @@ nlohmann::ordered_json report(const analysis::LearnedBackground& learned, const 
   const auto parameters = static_cast<double>(analysis::parameter_count(m));
   return {{"background", m.name},
           {"points", points},
-          {"body_known", !m.E.db.empty()},
+          {"body_known", !m.body.db.empty()},
           {"oscillators", m.oscillators.size()},
           {"grains", m.points.front().grains.size()},
           {"bytes", 4 * parameters},
@@ -151,7 +151,7 @@ std::string line_of(const nlohmann::ordered_json& r) {
       r["bytes"].get<double>() / 1000, r["samples_per_parameter"].get<double>());
 }
 
-void save(const BackgroundOptions& o, const BackgroundModel& model) {
+void save(const BackgroundOptions& o, const DieselModel& model) {
   if (o.out.empty()) return;
   fs::create_directories(fs::path(o.out) / "backgrounds");
   config::save_background(o.out, model);
@@ -168,9 +168,9 @@ void learn(BackgroundOptions o) {
   analysis::LearnedBackground learned;
   std::vector<analysis::EngineTake> takes;
   if (o.formula) {
-    learned.model = default_background();
+    learned.model = default_diesel();
     learned.model.name = o.settings.name;
-    for (const BackgroundPoint& p : learned.model.points)
+    for (const DieselPoint& p : learned.model.points)
       learned.points.push_back({p.source, p.rpm, p.load, 0, 0, 1, 1});
   } else {
     takes = takes_of(o);
@@ -204,7 +204,7 @@ void add_learning_options(CLI::App& verb, BackgroundOptions& o) {
       ->expected(0, 1)
       ->default_str("48")
       ->check(CLI::Range(48, 1000));
-  verb.add_option("--crossover", o.settings.f_x, "Hz, between the low and the high layer")
+  verb.add_option("--crossover", o.settings.crossover_hz, "Hz, between the low and the high layer")
       ->check(number_between(200.0, 800.0));
   verb.add_option("--start", o.start, "recording of the engine being started, kept as it is");
   verb.add_option("--stop", o.stop, "recording of the engine dying away, kept as it is");

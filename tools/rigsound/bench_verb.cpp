@@ -54,7 +54,7 @@ std::vector<Row> measure_layers(double seconds) {
   EngineOptions no_tool = options;
   no_tool.booms[0].tool = -1;
   SoundSet no_background = all;
-  no_background.backgrounds.clear();
+  no_background.diesels.clear();
 
   EngineCost whole, without_tool, without_background, drill_and_mix, mix;
   for (int round = 0; round < kRounds; ++round) {

@@ -72,7 +72,7 @@ void check(const Options& options) {
   for (const ClickBank& bank : sounds.banks) clicks += bank.clicks.size();
   const std::string summary = fmt::format(
       "sound set {}: {} banks, {} clicks, {} rocks, {} tools, background: {}\n", rig.sound_set.string(),
-      sounds.banks.size(), clicks, sounds.rocks.size(), sounds.tools.size(), sounds.backgrounds.front().name);
+      sounds.banks.size(), clicks, sounds.rocks.size(), sounds.tools.size(), sounds.diesels.front().name);
   const Engine engine = config::build_engine(rig, std::move(sounds));  // builds every table the daemon would
   fmt::print("ok\n");
   fmt::print("audio {}: {:g} Hz, {} channels, blocks of {} frames ({:.2f} ms), {} periods\n",

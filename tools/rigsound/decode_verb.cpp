@@ -5,8 +5,8 @@
 
 #include "log_notes.hpp"
 #include "rigsound/config/rig.hpp"
-#include "rigsound/input_error.hpp"
 #include "rigsound/log/change_trace.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {

@@ -4,7 +4,7 @@
 
 #include "chain_arguments.hpp"
 #include "rigsound/analysis/wave_file.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {

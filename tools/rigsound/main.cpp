@@ -3,7 +3,7 @@
 #include <exception>
 
 #include "rigsound/device_error.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "verbs.hpp"
 
 using namespace rigsound;

@@ -8,7 +8,7 @@
 
 #include "record/bus_recorders.hpp"
 #include "rigsound/file/file_descriptor.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {

@@ -7,10 +7,10 @@
 #include "rigsound/audio/wav_sink.hpp"
 #include "rigsound/config/fingerprint.hpp"
 #include "rigsound/config/rig.hpp"
-#include "rigsound/default_background.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/default_diesel.hpp"
 #include "rigsound/log/log_states.hpp"
 #include "rigsound/log/session_states.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "sha256.hpp"
 #include "verbs.hpp"
 
@@ -26,7 +26,7 @@ struct Options {
 void render(config::Rig& rig, audio::StateSource& states, audio::SampleFormat samples,
             const std::string& out) {
   SoundSet sounds = config::load_sounds(rig);
-  const bool stand_in = sounds.backgrounds.front().name == kDefaultBackground;
+  const bool stand_in = sounds.diesels.front().name == kDefaultDiesel;
   Engine engine = config::build_engine(rig, std::move(sounds));
   Sha256 digest;
   const audio::WavSink::Format format{static_cast<int>(rig.engine.sample_rate), rig.engine.channels,

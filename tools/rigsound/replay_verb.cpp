@@ -5,10 +5,10 @@
 
 #include "number_range.hpp"
 #include "rigsound/can/can_sender.hpp"
-#include "rigsound/input_error.hpp"
 #include "rigsound/log/candump.hpp"
 #include "rigsound/log/modbus_capture.hpp"
 #include "rigsound/log/replay_clock.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "rigsound/modbus/modbus_writer.hpp"
 #include "verbs.hpp"
 

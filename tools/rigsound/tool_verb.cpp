@@ -89,7 +89,7 @@ ToolModel model_of(const ToolOptions& o, nlohmann::ordered_json& json) {
   }
   ToolModel model = o.tool;
   model.bar = {o.length_m, o.diameter_m};
-  model.longitudinal.k_min = model.longitudinal.k_max;
+  model.longitudinal.reflection_min = model.longitudinal.reflection_max;
   model.transversal.wish = wish_of(o.t60_T);
   model.longitudinal.wish = wish_of(o.t60_L);
   model.kind = o.model == "paper" ? ToolKind::kPaper : ToolKind::kDesigned;
@@ -130,9 +130,9 @@ void add_paper_symbols(CLI::App& verb, ToolModel& tool, CLI::Option* from) {
   const auto add = [&](const char* name, auto& value, const char* text) {
     verb.add_option(name, value, text)->capture_default_str()->excludes(from)->group("Symbols of the paper");
   };
-  add("--k-Tmin", tool.transversal.k_min, "transversal reflection while the hammer touches");
-  add("--k-Tmax", tool.transversal.k_max, "transversal reflection of the free tool");
-  add("--k-L", tool.longitudinal.k_max, "longitudinal reflection");
+  add("--k-Tmin", tool.transversal.reflection_min, "transversal reflection while the hammer touches");
+  add("--k-Tmax", tool.transversal.reflection_max, "transversal reflection of the free tool");
+  add("--k-L", tool.longitudinal.reflection_max, "longitudinal reflection");
   add("--M", tool.paper.M, "sections of its allpass cascade (--model paper), 1...64");
   add("--lambda", tool.paper.lambda, "their coefficient (--model paper)");
   add("--N-T", tool.paper.N_T, "transversal delay (--model paper), samples");

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rigsound/machine_state.hpp"
+#include "rigsound/machine/machine_state.hpp"
 #include "snapshot.hpp"
 
 namespace rigsound::daemon {

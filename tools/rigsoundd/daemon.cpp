@@ -11,7 +11,7 @@
 #include "log_setup.hpp"
 #include "monotonic_time.hpp"
 #include "rigsound/device_error.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "rigsound/socket/tcp_listener.hpp"
 
 namespace rigsound::daemon {

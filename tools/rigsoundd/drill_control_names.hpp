@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "rigsound/machine_state.hpp"
+#include "rigsound/machine/machine_state.hpp"
 
 namespace rigsound::daemon {
 

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "rigsound/machine_state.hpp"
+#include "rigsound/machine/machine_state.hpp"
 
 namespace rigsound::daemon {
 

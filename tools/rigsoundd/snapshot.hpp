@@ -7,7 +7,7 @@
 
 #include "feed.hpp"
 #include "rigsound/audio/alsa_sink.hpp"
-#include "rigsound/machine_state.hpp"
+#include "rigsound/machine/machine_state.hpp"
 
 namespace rigsound::daemon {
 

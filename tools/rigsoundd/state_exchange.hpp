@@ -7,8 +7,8 @@
 
 #include "output_fade.hpp"
 #include "rigsound/handoff/triple_buffer.hpp"
-#include "rigsound/machine_state.hpp"
-#include "rigsound/signal_board.hpp"
+#include "rigsound/machine/machine_state.hpp"
+#include "rigsound/machine/signal_board.hpp"
 
 namespace rigsound::daemon {
 

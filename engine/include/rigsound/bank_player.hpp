@@ -6,7 +6,7 @@
 
 #include "rigsound/click_bank.hpp"
 #include "rigsound/impact.hpp"
-#include "rigsound/machine_state.hpp"
+#include "rigsound/machine/machine_state.hpp"
 
 namespace rigsound {
 
@@ -25,8 +25,7 @@ class BankPlayer {
   void process(const DrillControls& controls, double* out) noexcept;
 
   /// The blows that started in the last chunk. Thread: RT.
-  const Impact* impacts() const noexcept;
-  int impact_count() const noexcept;
+  Impacts impacts() const noexcept;
 
  private:
   struct Parts;

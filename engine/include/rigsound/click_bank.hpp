@@ -16,19 +16,19 @@ struct ClickBank {
   std::string name;
   double sample_rate = 48000;
 
-  double T_0 = 0;       ///< mean gap between clicks, samples (section 3.7)
-  double sigma_T = 0;   ///< its standard deviation, samples
-  double r_T = 0;       ///< lag-1 correlation of the gaps, -0.9...0.9
-  double p_miss = 0;    ///< share of gaps in which a strike is missing (kMissGap)
-  double p_double = 0;  ///< share of gaps cut short by a double strike (kDoubleGap)
+  double mean_gap_samples = 0;       ///< T_0: mean gap between clicks, samples (section 3.7)
+  double gap_deviation_samples = 0;  ///< sigma_T: its standard deviation, samples
+  double gap_correlation = 0;        ///< lag-1 correlation of the gaps, -0.9...0.9
+  double miss_share = 0;             ///< share of gaps in which a strike is missing (kMissGap)
+  double double_share = 0;           ///< share of gaps cut short by a double strike (kDoubleGap)
 
-  double B = 1;        ///< mean L2 norm of the clicks
-  double sigma_B = 0;  ///< its standard deviation
-  double r_B = 0;      ///< lag-1 correlation of the amplitudes, -0.9...0.9
+  double mean_amplitude = 1;         ///< B: mean L2 norm of the clicks
+  double amplitude_deviation = 0;    ///< sigma_B: its standard deviation
+  double amplitude_correlation = 0;  ///< lag-1 correlation of the amplitudes, -0.9...0.9
 
-  double N_a = 0;      ///< attack, samples (eq. 5)
-  double alpha_a = 0;  ///< attack bend, 1/sample (eq. 5)
-  double alpha_d = 0;  ///< decay, 1/sample (eq. 6)
+  double attack_samples = 0;  ///< N_a: attack, samples (eq. 5)
+  double attack_bend = 0;     ///< alpha_a: attack bend, 1/sample (eq. 5)
+  double decay = 0;           ///< alpha_d: decay, 1/sample (eq. 6)
 
   double gain_db = 0;  ///< trim of this bank against the others, dB
 

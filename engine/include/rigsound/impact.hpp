@@ -11,4 +11,13 @@ struct Impact {
   std::uint64_t index = 0;  ///< counts the blows of this boom; seeds whatever varies from blow to blow
 };
 
+/// The impacts that start within one chunk, in order. Refers to the train that made them. Thread: RT.
+struct Impacts {
+  const Impact* first = nullptr;
+  int count = 0;
+
+  const Impact* begin() const noexcept { return first; }
+  const Impact* end() const noexcept { return first + count; }
+};
+
 }  // namespace rigsound

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "rigsound/background_model.hpp"
 #include "rigsound/click_bank.hpp"
-#include "rigsound/situation.hpp"
+#include "rigsound/diesel_model.hpp"
+#include "rigsound/machine/situation.hpp"
 #include "rigsound/tool_model.hpp"
 
 namespace rigsound {
@@ -24,7 +24,7 @@ struct SoundSet {
   std::vector<BankUse> uses;
   std::vector<std::string> rocks;
   std::vector<ToolModel> tools;
-  std::vector<BackgroundModel> backgrounds;
+  std::vector<DieselModel> diesels;
 };
 
 }  // namespace rigsound

@@ -20,11 +20,11 @@ struct DecayWish {
 
 /// Decay of one family: given outright, or through a wish that replaces k and the shelf's gain.
 struct Decay {
-  double k_min = 0.83;      ///< reflection while the tool is in contact, 0 < k_min <= k_max < 1
-  double k_max = 0.89;      ///< and while it is free
-  double shelf_gain = 0.8;  ///< of the loop's shelf above its corner, 0...1
-  double shelf_hz = 6000;   ///< its corner
-  DecayWish wish;           ///< of the free tool; k_min / k_max keeps its ratio
+  double reflection_min = 0.83;  ///< reflection while the tool is in contact, 0 < min <= max < 1
+  double reflection_max = 0.89;  ///< and while it is free
+  double shelf_gain = 0.8;       ///< of the loop's shelf above its corner, 0...1
+  double shelf_hz = 6000;        ///< its corner
+  DecayWish wish;                ///< of the free tool; k_min / k_max keeps its ratio
 };
 
 }  // namespace rigsound

@@ -37,17 +37,17 @@ struct Allpass {
 
 /// What a loop does to a wave besides delaying it: DC blocker p / (p + dc), shelf (s + g p) / (s + p).
 struct LoopFilters {
-  double dc = 0;     ///< sqrt 3 tan(pi 20 Hz / rate): -6.02 dB at 20 Hz
-  double shelf = 1;  ///< tan(pi corner / rate)
-  double g = 1;      ///< gain above the corner, 0...1
+  double dc = 0;          ///< sqrt 3 tan(pi 20 Hz / rate): -6.02 dB at 20 Hz
+  double shelf = 1;       ///< tan(pi corner / rate)
+  double shelf_gain = 1;  ///< g: gain above the corner, 0...1
 };
 
 /// y = x + k v, v = shelf(dc(allpass(z^-N y))).
 struct LoopDesign {
-  int N = 0;  ///< delay line, samples; at least allpass.stages()
+  int delay_samples = 0;  ///< N: delay line, samples; at least allpass.stages()
   Allpass allpass;
   LoopFilters filters;
-  double k_min = 0, k_max = 0;
+  double reflection_min = 0, reflection_max = 0;  ///< k: in contact, and free
 };
 
 /// What a design was made for. When it is no longer what the tool says, the design is out of date.
@@ -87,6 +87,10 @@ ToolDesign design_tool(const ToolModel& model, double sample_rate);
 /// The model's own design for that rate if it brings one that was made for its bar and decays, else a new
 /// one. Thread: OFF, CT.
 ToolDesign design_for(const ToolModel& model, double sample_rate);
+
+/// The modes of both families of a free-free bar, Hz, rising, below `highest_hz`: exact, no loop involved.
+/// Thread: OFF.
+std::vector<double> modes_below(const Bar& bar, double highest_hz);
 
 /// Every mode of both families. Thread: OFF, CT.
 std::vector<TunedMode> tuned_modes(const ToolModel& model, const ToolDesign& design);

@@ -31,7 +31,7 @@ struct ToolBand {
 };
 
 struct ToolVoicing {
-  double mix_T = 0.5, mix_L = 0.5;  ///< linear weights of the two families
+  double transversal_mix = 0.5, longitudinal_mix = 0.5;  ///< linear weights of the two families
   double highpass_hz = 800;         ///< -6.02 dB point of the first-order high-pass (section 3)
   std::vector<ToolBand> equaliser;  ///< at most kMaxToolBands
   double level = 0.2;               ///< linear, of everything

@@ -40,10 +40,10 @@ EngineTake hammered(EngineTake take, double db) {
 double learned_error(const EngineTake& clean, const EngineTake& heard) {
   BackgroundSettings settings;
   settings.name = "hammered";
-  const BackgroundModel model = learn_background({heard}, settings).model;
-  const BackgroundPoint& point = model.points.front();
+  const DieselModel model = learn_background({heard}, settings).model;
+  const DieselPoint& point = model.points.front();
   return likeness(played_cycles(model, point, 200, 1),
-                  recorded_cycles(section_of(clean), point, model.N_theta), 9000)
+                  recorded_cycles(section_of(clean), point, model.angle_samples), 9000)
       .third_octave_db;
 }
 

@@ -93,10 +93,10 @@ struct Bounds {
 };
 
 /// The rows of one way to play the high layer; returns the cyclic envelope's error.
-double model_rows(Table& table, const EngineTake& take, const BackgroundModel& model, const Bounds& bounds) {
-  const BackgroundPoint& point = model.points.front();
+double model_rows(Table& table, const EngineTake& take, const DieselModel& model, const Bounds& bounds) {
+  const DieselPoint& point = model.points.front();
   const double highest = std::min(9000.0, 0.45 * take.source_rate);
-  const CyclicSound recorded = recorded_cycles(section_of(take), point, model.N_theta);
+  const CyclicSound recorded = recorded_cycles(section_of(take), point, model.angle_samples);
   const int cycles = static_cast<int>(recorded.y.size()) / recorded.N;
   const Likeness l = likeness(played_cycles(model, point, cycles, 1), recorded, highest);
   table.at_most("idle, " + bounds.name + ": third-octave", bounds.third_octave, l.third_octave_db, "dB");
@@ -122,12 +122,12 @@ void recording_rows(Table& table, const fs::path& data) {
   take.rpm = kIdle_rpm;
   BackgroundSettings settings;
   settings.name = "idle";
-  const BackgroundModel slots = learn_background({take}, settings).model;
+  const DieselModel slots = learn_background({take}, settings).model;
   const double envelope = model_rows(table, take, slots, {"parametric", 0.9, 0.95, 3.0, 0.02});
 
-  const BackgroundPoint& point = slots.points.front();
-  const CyclicSound recorded = recorded_cycles(section_of(take), point, slots.N_theta);
-  const Likeness paper = likeness(paper_model(recorded, slots.N), recorded, 9000);
+  const DieselPoint& point = slots.points.front();
+  const CyclicSound recorded = recorded_cycles(section_of(take), point, slots.angle_samples);
+  const Likeness paper = likeness(paper_model(recorded, slots.low_scales), recorded, 9000);
   table.note("idle, the paper's L = 1: cyclic envelope", paper.cyclic_envelope_db, "dB");
   table.at_least("idle, L = 1 over parametric: cyclic envelope", 2, paper.cyclic_envelope_db / envelope, "");
 

@@ -3,9 +3,9 @@
 #include <chrono>
 #include <vector>
 
-#include "background/background_layer.hpp"
 #include "background/learning.hpp"
 #include "background/table.hpp"
+#include "diesel/diesel_layer.hpp"
 #include "unit/engine/background_measures.hpp"
 
 namespace rigsound::bench {
@@ -17,12 +17,12 @@ constexpr int kBlock = 64, kBlocks = 2000, kRounds = 15;
 constexpr double kRate = 48000;
 
 /// Microseconds of every block, the least of kRounds runs of the same blocks.
-std::vector<double> block_costs(const BackgroundModel& model, double rpm) {
+std::vector<double> block_costs(const DieselModel& model, double rpm) {
   using Clock = std::chrono::steady_clock;
   std::vector<double> least(kBlocks, 1e9);
   double sound[kBlock];
   for (int round = 0; round < kRounds; ++round) {
-    rigsound::background::BackgroundLayer layer({model}, kRate, 1, 800);
+    rigsound::diesel::DieselLayer layer({model}, kRate, 1, 800);
     for (int n = 0; n < kRate; n += kChunk) layer.process({rpm, 0.5, 0.5}, sound);
     for (double& us : least) {
       const auto start = Clock::now();
@@ -38,7 +38,7 @@ void cost_rows(Table& table) {
   settings.name = "cost";
   std::vector<EngineTake> takes;
   for (const double rpm : {700.0, 1300.0, 2300.0}) takes.push_back(steady_take(rpm, 20, 1));
-  const BackgroundModel model = learn_background(takes, settings).model;
+  const DieselModel model = learn_background(takes, settings).model;
   double mean = 0, worst = 0;
   for (const double rpm : {600.0, 1500.0, 2400.0}) {
     const std::vector<double> us = block_costs(model, rpm);

@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "background/learning.hpp"
-#include "background/source_point.hpp"
 #include "background/table.hpp"
 #include "background_model/angle_domain.hpp"
 #include "background_model/compared_cycles.hpp"
 #include "background_model/order_analysis.hpp"
+#include "diesel/source_point.hpp"
 #include "rigsound/analysis/chain.hpp"
 
 namespace rigsound::bench {
@@ -27,7 +27,7 @@ std::vector<EngineTake> banks(const std::vector<double>& speeds) {
   return takes;
 }
 
-BackgroundModel learned(const std::vector<EngineTake>& takes) {
+DieselModel learned(const std::vector<EngineTake>& takes) {
   BackgroundSettings settings;
   settings.name = "simulated";
   return learn_background(takes, settings).model;
@@ -84,55 +84,55 @@ void ramp_rows(Table& table) {
 }
 
 /// Third-octave error of `model` at a speed no bank has.
-double error_at(const BackgroundModel& model, double rpm) {
-  BackgroundPoint here = model.points.front();
+double error_at(const DieselModel& model, double rpm) {
+  DieselPoint here = model.points.front();
   here.rpm = rpm;
   const CyclicSound played = played_cycles(model, here, 100, 1);
   const CyclicSound truth =
-      recorded_cycles(section_of(steady_take(rpm, kBank_s, kTruthSeed)), here, model.N_theta);
+      recorded_cycles(section_of(steady_take(rpm, kBank_s, kTruthSeed)), here, model.angle_samples);
   return likeness(played, truth, kHighest_hz).third_octave_db;
 }
 
 /// Banks at `speeds`, and a run-up that only tells what the body is like.
-BackgroundModel learned_with_run_up(const std::vector<double>& speeds) {
+DieselModel learned_with_run_up(const std::vector<double>& speeds) {
   std::vector<EngineTake> takes = banks(speeds);
   takes.push_back(simulated_take(ramp_rpm(700, 2200, kBank_s), 20));
-  BackgroundModel model = learned(takes);
+  DieselModel model = learned(takes);
   model.points.resize(speeds.size());
   return model;
 }
 
 void one_bank_rows(Table& table) {
-  const BackgroundModel model = learned_with_run_up({1200});
+  const DieselModel model = learned_with_run_up({1200});
   table.at_most("one bank at 1200 r/min and a run-up, played at 960", 2.0, error_at(model, 960), "dB");
   table.at_most("one bank at 1200 r/min and a run-up, played at 1440", 2.0, error_at(model, 1440), "dB");
 }
 
 /// rms error of the orders that rise 20 dB over chance, 30 ... 2400 Hz.
-double order_error(const BackgroundModel& model, double rpm) {
+double order_error(const DieselModel& model, double rpm) {
   const Section s = section_of(steady_take(rpm, kBank_s, kTruthSeed + 5));
-  const CycleBlock block = cycles_of(s, s.x, 0, model.N_theta);
+  const CycleBlock block = cycles_of(s, s.x, 0, model.angle_samples);
   const int last = static_cast<int>(2400 / s.f0());
   const Orders truth = orders_of(block, 0, block.cycles, last);
-  const background::SourcePoint source = background::source_at(model, rpm, 0);
+  const diesel::SourcePoint source = diesel::source_at(model, rpm, 0);
   double sum = 0;
   int count = 0;
   for (int k = 1; k <= last; ++k) {
     const auto i = static_cast<std::size_t>(k - 1);
     const double power = std::norm(truth.C[i]), f = k * s.f0();
     if (f < 30 || power < 100 * truth.noise[i] || i >= source.level.size()) continue;
-    const double db = source.level[i] * 20 / std::log(10) + background::body_db(model.E, f);
+    const double db = source.level[i] * 20 / std::log(10) + diesel::body_db(model.body, f);
     sum += std::pow(db - 10 * std::log10(power - truth.noise[i]), 2), ++count;
   }
   return std::sqrt(sum / count);
 }
 
 void order_rows(Table& table) {
-  const BackgroundModel model = learned_with_run_up({800, 1200, 1800});
+  const DieselModel model = learned_with_run_up({800, 1200, 1800});
   table.at_most("orders midway between banks at 800 and 1200 r/min", 3.0, order_error(model, 1000), "dB");
   table.at_most("orders midway between banks at 1200 and 1800 r/min", 3.0, order_error(model, 1500), "dB");
   // A body that repeats every 1.5 in frequency looks the same from all three of these banks.
-  const BackgroundModel banks_alone = learned(banks({800, 1200, 1800}));
+  const DieselModel banks_alone = learned(banks({800, 1200, 1800}));
   table.note("  without the run-up, at 1000 r/min", order_error(banks_alone, 1000), "dB");
   table.note("  without the run-up, at 1500 r/min", order_error(banks_alone, 1500), "dB");
 }

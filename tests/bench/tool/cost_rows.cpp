@@ -50,7 +50,7 @@ Contestant layer(const std::string& name, double wanted_ns, const ToolModel& mod
   return {name, wanted_ns, [tool](int chunk) {
             double out[kChunk];
             const Impact blow{3.25, 1, static_cast<std::uint64_t>(chunk)};
-            tool->process(&blow, chunk % kChunksABlow == 0, ToolControls{}, out);
+            tool->process(ToolInput{}, {&blow, chunk % kChunksABlow == 0}, out);
             sink += out[kChunk - 1];
           }};
 }
@@ -91,7 +91,7 @@ ToolModel sized(const Bar& bar, int stages_T, int stages_L) {
   model.bar = bar;
   ToolDesign design = design_tool(model, kRate);
   LoopDesign& L = design.longitudinal;
-  if (L.allpass.stages() < stages_L) ++L.allpass.first_orders, --L.N;
+  if (L.allpass.stages() < stages_L) ++L.allpass.first_orders, --L.delay_samples;
   if (design.transversal.allpass.stages() != stages_T || L.allpass.stages() != stages_L)
     throw std::logic_error("the designer has changed, choose other bars");
   model.designs = {design};

@@ -10,7 +10,7 @@
 #include "engine/sound_levels.hpp"
 #include "engine/tool_energy.hpp"
 #include "engine/tool_sounds.hpp"
-#include "tool/mode_law.hpp"
+#include "tool/design/mode_law.hpp"
 
 namespace rigsound::bench {
 namespace {
@@ -31,7 +31,8 @@ class Heard {
  public:
   Heard(const ToolDesign& design, Family family, double k) {
     const LoopDesign& loop = family == kTransversal ? design.transversal : design.longitudinal;
-    const int order = loop.N + loop.allpass.order() + 2, every = static_cast<int>(design.sample_rate / 40000);
+    const int order = loop.delay_samples + loop.allpass.order() + 2,
+              every = static_cast<int>(design.sample_rate / 40000);
     const auto sound = impulse_response(design, family, k, static_cast<int>(0.2 * design.sample_rate));
     high_ = measure_modes({sound.begin(), sound.begin() + static_cast<std::ptrdiff_t>(sound.size() / 4)},
                           order, every);
@@ -50,7 +51,8 @@ class Heard {
 Measured measured(const ToolModel& model, double rate, Family family) {
   const ToolDesign design = design_tool(model, rate);
   const LoopDesign& loop = family == kTransversal ? design.transversal : design.longitudinal;
-  const Heard tuned(design, family, 0.5 * (loop.k_min + loop.k_max)), free(design, family, loop.k_max);
+  const Heard tuned(design, family, 0.5 * (loop.reflection_min + loop.reflection_max)),
+      free(design, family, loop.reflection_max);
   Measured worst;
   for (const TunedMode& mode : tuned_modes(model, design)) {
     if ((mode.family == "transversal") != (family == kTransversal)) continue;
@@ -98,11 +100,11 @@ void print_energy() {
          ""});
 }
 
-double residue(const ToolModel& model, double rate, void (*change)(ToolControls&)) {
+double residue(const ToolModel& model, double rate, void (*change)(ToolInput&)) {
   constexpr double kChange_s = 0.5;
   ToolLayer layer(model, rate, 1, 0);
   const auto sound = struck(layer, {rate, 0.7, 0.1}, [&](double t) {
-    ToolControls controls;
+    ToolInput controls;
     if (t >= kChange_s) change(controls);
     return controls;
   });
@@ -115,11 +117,14 @@ void print_residues() {
     ToolModel model = long_ringing_model();
     for (const double length : {0.505, 0.55, 0.8}) {
       model.rods = {{2, {length, 0.025}}, {3, {0.5, 0.040}}};
-      bar = std::max(bar, residue(model, rate, [](ToolControls& c) { c.rods = 2; }));
+      bar = std::max(bar, residue(model, rate, [](ToolInput& c) { c.rods = 2; }));
     }
-    bar = std::max(bar, residue(model, rate, [](ToolControls& c) { c.rods = 3; }));
-    k = std::max(k, residue(model, rate, [](ToolControls& c) { c.k_T = 0.93, c.k_L = 0.93; }));
-    gain = std::max(gain, residue(model, rate, [](ToolControls& c) { c.mix_T = 0.3, c.mix_L = 2; }));
+    bar = std::max(bar, residue(model, rate, [](ToolInput& c) { c.rods = 3; }));
+    k = std::max(k, residue(model, rate, [](ToolInput& c) {
+                   c.transversal_reflection = 0.93, c.longitudinal_reflection = 0.93;
+                 }));
+    gain = std::max(
+        gain, residue(model, rate, [](ToolInput& c) { c.transversal_mix = 0.3, c.longitudinal_mix = 2; }));
   }
   print({"another length or diameter while it rings: above 12 kHz", Bound::kAtMost, -100, bar, "dB"});
   print({"k_T and k_L ramp by 7 %: above 12 kHz", Bound::kAtMost, -90, k, "dB"});

@@ -9,12 +9,12 @@
 
 #include "bench/tool/row.hpp"
 #include "bench/tool/rows.hpp"
-#include "dsp/random.hpp"
 #include "engine/elastic_modes.hpp"
+#include "rigsound/dsp/random.hpp"
 #include "rigsound/tool_model.hpp"
-#include "tool/loop_designer.hpp"
-#include "tool/loop_response.hpp"
-#include "tool/mode_law.hpp"
+#include "tool/design/loop_designer.hpp"
+#include "tool/design/loop_response.hpp"
+#include "tool/design/mode_law.hpp"
 
 namespace rigsound::bench {
 namespace {
@@ -66,7 +66,7 @@ struct Family {
     decay_share = std::max(decay_share, tuned.decay_share);
     for (const double k : across) cents_across = std::max(cents_across, error_of(loop, law, k, rate).cents);
     order = std::max(order, loop.allpass.order());
-    least_spare_delay = std::min(least_spare_delay, loop.N - (loop.allpass.order() + 1) / 2);
+    least_spare_delay = std::min(least_spare_delay, loop.delay_samples - (loop.allpass.order() + 1) / 2);
   }
 };
 
@@ -130,7 +130,7 @@ DecayWish random_wish(const ModeLaw& law, std::uint64_t i, double rate) {
 
 double wish_error(const LoopDesign& loop, const DecayWish& wish, double rate) {
   const auto error = [&](double hz, double seconds) {
-    const Pole pole = closed_loop_pole(loop, loop.k_max, dsp::kTwoPi * hz / rate);
+    const Pole pole = closed_loop_pole(loop, loop.reflection_max, dsp::kTwoPi * hz / rate);
     return std::fabs(t60_samples(pole.sigma) / rate / seconds - 1);
   };
   return std::max(error(wish.low_hz, wish.low_s), error(wish.high_hz, wish.high_s));

@@ -7,7 +7,7 @@
 #include "analyzer/source_hash.hpp"
 #include "rigsound/analysis/report.hpp"
 #include "rigsound/config/sound_set_index.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 using namespace rigsound;
 using namespace rigsound::analysis;

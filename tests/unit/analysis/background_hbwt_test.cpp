@@ -5,8 +5,8 @@
 #include <random>
 
 #include "background_model/hbwt.hpp"
-#include "rigsound/dsp/db4.hpp"
 #include "rigsound/dsp/mdct.hpp"
+#include "rigsound/dsp/wavelet.hpp"
 
 using namespace rigsound;
 using namespace rigsound::analysis;

@@ -6,10 +6,10 @@
 #include "background_model/crank_tracker.hpp"
 #include "background_model/cycle_length.hpp"
 #include "background_model/phase_advance.hpp"
-#include "dsp/butterworth.hpp"
 #include "rigsound/analysis/background.hpp"
 #include "rigsound/analysis/chain.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/dsp/butterworth.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "simulate/engine_recording.hpp"
 #include "simulate/split_mix.hpp"
 

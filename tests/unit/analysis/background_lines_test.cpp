@@ -48,10 +48,10 @@ Section residual_of(const EngineRecording& engine) {
   return s;
 }
 
-std::vector<BackgroundOscillator> tones_of(const std::vector<Section>& sections) {
+std::vector<DieselOscillator> tones_of(const std::vector<Section>& sections) {
   std::vector<Unrepeated> heard;
   for (const Section& s : sections) heard.push_back({&s, &s.x});
-  std::vector<BackgroundOscillator> tones;
+  std::vector<DieselOscillator> tones;
   for (const FreeLine& line : free_lines(heard, kAngles)) tones.push_back(line.tone);
   return tones;
 }
@@ -59,10 +59,10 @@ std::vector<BackgroundOscillator> tones_of(const std::vector<Section>& sections)
 double cents(double a, double b) { return 1200 * std::fabs(std::log2(a / b)); }
 double db(double a, double b) { return 20 * std::fabs(std::log10(a / b)); }
 
-void check_both(const std::vector<BackgroundOscillator>& tones) {
+void check_both(const std::vector<DieselOscillator>& tones) {
   REQUIRE(tones.size() == 2);
   CHECK(tones[0].order_locked != tones[1].order_locked);
-  for (const BackgroundOscillator& tone : tones) {
+  for (const DieselOscillator& tone : tones) {
     CHECK(cents(tone.frequency, tone.order_locked ? kOrder : kFixed_hz) < 1);
     CHECK(db(tone.amplitude, kLevel) < 1);
   }
@@ -110,7 +110,7 @@ TEST_CASE("learning an engine with a fixed tone beside it gives the model that t
   take.source = "take.wav", take.mono.assign(engine.sound.begin(), engine.sound.end()), take.rpm = 900;
   BackgroundSettings settings;
   settings.name = "engine";
-  const BackgroundModel model = learn_background({take}, settings).model;
+  const DieselModel model = learn_background({take}, settings).model;
   REQUIRE(model.oscillators.size() == 1);
   CHECK_FALSE(model.oscillators.front().order_locked);
   CHECK(cents(model.oscillators.front().frequency, kFixed_hz) < 1);

@@ -9,9 +9,9 @@
 #include "bank/minimum_phase.hpp"
 #include "bank/statistics.hpp"
 #include "bank/third_octave.hpp"
-#include "dsp/elementary.hpp"
 #include "rigsound/analysis/bank_builder.hpp"
 #include "rigsound/analysis/resynth.hpp"
+#include "rigsound/dsp/elementary.hpp"
 #include "simulate/drillbench_clip.hpp"
 #include "simulate/split_mix.hpp"
 
@@ -58,7 +58,7 @@ ChainResult perfect_result(int id, double seconds) {
     result.clicks.beta.push_back(c.beta);
   }
   result.clicks.envelope = clip.envelope;
-  result.clicks.T_0 = clip.T0;
+  result.clicks.mean_gap_samples = clip.T0;
   return result;
 }
 
@@ -107,15 +107,16 @@ TEST_CASE("gap statistics give back the process they were drawn from") {
   }
   ClickBank bank;
   set_gap_statistics({P}, bank);
-  CHECK(bank.T_0 == doctest::Approx(T_0).epsilon(0.002));
-  CHECK(bank.sigma_T == doctest::Approx(cv * T_0).epsilon(0.03));
-  CHECK(bank.r_T == doctest::Approx(r).epsilon(0.05));
-  CHECK(bank.p_miss == doctest::Approx(miss).epsilon(0.1));
-  CHECK(bank.p_double == doctest::Approx(twice).epsilon(0.15));
+  CHECK(bank.mean_gap_samples == doctest::Approx(T_0).epsilon(0.002));
+  CHECK(bank.gap_deviation_samples == doctest::Approx(cv * T_0).epsilon(0.03));
+  CHECK(bank.gap_correlation == doctest::Approx(r).epsilon(0.05));
+  CHECK(bank.miss_share == doctest::Approx(miss).epsilon(0.1));
+  CHECK(bank.double_share == doctest::Approx(twice).epsilon(0.15));
 
   ClickBank paper;
   set_plain_gap_statistics({P}, paper);
-  CHECK(paper.sigma_T > 2 * bank.sigma_T);  // what one missed strike does to a plain standard deviation
+  CHECK(paper.gap_deviation_samples >
+        2 * bank.gap_deviation_samples);  // what one missed strike does to a plain standard deviation
 }
 
 TEST_CASE("a double strike leaves the spread of the plain gaps alone and the mean rate right") {
@@ -128,9 +129,9 @@ TEST_CASE("a double strike leaves the spread of the plain gaps alone and the mea
   }
   ClickBank bank;
   set_gap_statistics({P}, bank);
-  CHECK(bank.T_0 == doctest::Approx(1500));
-  CHECK(bank.sigma_T < 1);
-  const double mean_gap = bank.T_0 * (1 + bank.p_miss - 0.55 * bank.p_double);
+  CHECK(bank.mean_gap_samples == doctest::Approx(1500));
+  CHECK(bank.gap_deviation_samples < 1);
+  const double mean_gap = bank.mean_gap_samples * (1 + bank.miss_share - 0.55 * bank.double_share);
   CHECK(mean_gap ==
         doctest::Approx(static_cast<double>(t) / static_cast<double>(P.size() - 1)).epsilon(0.002));
 }
@@ -140,14 +141,14 @@ TEST_CASE("amplitude statistics give back the process, and segments do not corre
   const std::vector<double> series = lognormal_series(40000, 0.3, 0.5, stream);
   ClickBank bank;
   set_amplitude_statistics({series}, bank);
-  CHECK(bank.B == doctest::Approx(1).epsilon(0.01));
-  CHECK(bank.sigma_B == doctest::Approx(0.3).epsilon(0.03));
-  CHECK(bank.r_B == doctest::Approx(0.5).epsilon(0.05));
+  CHECK(bank.mean_amplitude == doctest::Approx(1).epsilon(0.01));
+  CHECK(bank.amplitude_deviation == doctest::Approx(0.3).epsilon(0.03));
+  CHECK(bank.amplitude_correlation == doctest::Approx(0.5).epsilon(0.05));
   ClickBank pieces;
   Series<double> pairs;
   for (std::size_t i = 0; i + 1 < series.size(); i += 2) pairs.push_back({series[i + 1], series[i]});
   set_amplitude_statistics(pairs, pieces);
-  CHECK(pieces.r_B == doctest::Approx(0.5).epsilon(0.06));
+  CHECK(pieces.amplitude_correlation == doctest::Approx(0.5).epsilon(0.06));
 }
 
 TEST_CASE("the equaliser's filter has the gain asked for and is minimum phase") {
@@ -204,27 +205,28 @@ TEST_CASE("a bank from true clicks plays with the level and spectrum of the clip
     CHECK(std::fabs(10 * std::log10(mean_square(sound) / mean_square(truth.drilling))) < 0.6);
     CHECK(mean_difference_db(third_octave_levels(truth.drilling), third_octave_levels(sound), 50,
                              Difference::kCentred) < 0.6);
-    CHECK(built.bank.T_0 == doctest::Approx(48000.0 / built.figures.rate_hz));
+    CHECK(built.bank.mean_gap_samples == doctest::Approx(48000.0 / built.figures.rate_hz));
   }
 }
 
 TEST_CASE("level follows the statistics: missed strikes make the same clicks quieter") {
   const BuiltBank built = build_bank({perfect_result(103, 4)}, Method::kClickNmf, 10, "clip");
   ClickBank steady = built.bank, missing = built.bank;
-  missing.p_miss = 0.3;
+  missing.miss_share = 0.3;
   set_level(steady, 1e-2);
   set_level(missing, 1e-2);
-  CHECK(missing.B * missing.B ==
-        doctest::Approx(1.3 / (1 + steady.p_miss) * steady.B * steady.B).epsilon(0.02));
+  CHECK(missing.mean_amplitude * missing.mean_amplitude ==
+        doctest::Approx(1.3 / (1 + steady.miss_share) * steady.mean_amplitude * steady.mean_amplitude)
+            .epsilon(0.02));
   CHECK(mean_square(resynthesise(missing, 60, 5).sound) == doctest::Approx(1e-2).epsilon(0.05));
 }
 
 TEST_CASE("the paper's method gives a bank too, without correlations") {
   const BuiltBank built = build_bank({perfect_result(103, 2)}, Method::kPaper, 10, "clip");
   CHECK(built.bank.clicks.size() == 10);
-  CHECK(built.bank.r_T == 0);
-  CHECK(built.bank.r_B == 0);
-  CHECK(built.bank.p_miss == 0);
+  CHECK(built.bank.gap_correlation == 0);
+  CHECK(built.bank.amplitude_correlation == 0);
+  CHECK(built.bank.miss_share == 0);
 }
 
 TEST_CASE("resynthesis repeats with its seed and obeys the rate") {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "rigsound/analysis/labels.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 using namespace rigsound;
 using namespace rigsound::analysis;

@@ -16,7 +16,7 @@ AnalysedPart part(const std::string& bank, Situation situation, int rods, double
   p.part.bank = bank;
   p.part.label.situation = situation;
   p.part.label.rods = rods;
-  p.T_0 = T_0;
+  p.mean_gap_samples = T_0;
   p.clicks = 10;
   p.figures = {60, 1, 1, 48000 / T_0, level_db, 10, 0.05, 0.05, 0.3, 2};
   return p;

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "analysis/analyzer_workplace.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 using namespace rigsound;
 using namespace rigsound::analysis;

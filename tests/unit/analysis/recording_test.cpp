@@ -10,7 +10,7 @@
 #include <string>
 
 #include "analysis/noise.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 using namespace rigsound;
 using namespace rigsound::analysis;

@@ -56,8 +56,8 @@ TEST_CASE("DrillBench clip 100 is the clip of the table") {
   const DrillBenchClip clip = drillbench_clip(100, 2.0);
   CHECK(clip.T0 == doctest::Approx(4000));  // 12 Hz
   CHECK(clip.clicks.size() == 24);
-  CHECK(clip.envelope.N_a == 146);
-  CHECK(clip.envelope.alpha_d == doctest::Approx(std::log(10.0) * 40 / 20 / 4000));
+  CHECK(clip.envelope.attack_samples == 146);
+  CHECK(clip.envelope.decay == doctest::Approx(std::log(10.0) * 40 / 20 / 4000));
   CHECK(rms(clip.clean) == doctest::Approx(1));
   CHECK(rms(drillbench_background(100, 2.0)) == doctest::Approx(1));
   CHECK(drillbench_id(131));
@@ -109,7 +109,7 @@ TEST_CASE("situations differ as the design says") {
   CHECK(closed.rate_hz >= 18);
   CHECK(closed.rate_hz <= 25);
   CHECK(over.rate_hz < normal.rate_hz);
-  CHECK(under.envelope.N_a > 2 * normal.envelope.N_a);
+  CHECK(under.envelope.attack_samples > 2 * normal.envelope.attack_samples);
   CHECK(brightness(under.clean) < brightness(normal.clean));
   CHECK(brightness(over.clean) < brightness(normal.clean));
   CHECK(brightness(open.clean) > 1.4 * brightness(normal.clean));

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <map>
 
-#include "dsp/random.hpp"
 #include "rigsound/analysis/chain.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/dsp/random.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "tool_fit/trial_tool.hpp"
 
 using namespace rigsound;
@@ -37,8 +37,9 @@ Recording recorded(const ToolModel& model) {
 TEST_CASE("length, diameter, decays and spectrum of a known steel are found in its recorded blow") {
   ToolModel truth;
   truth.bar = {0.5, 0.025};
-  truth.transversal.k_min = 0.95, truth.transversal.k_max = 0.98, truth.transversal.shelf_gain = 0.9;
-  truth.longitudinal.k_min = truth.longitudinal.k_max = 0.98;
+  truth.transversal.reflection_min = 0.95, truth.transversal.reflection_max = 0.98,
+  truth.transversal.shelf_gain = 0.9;
+  truth.longitudinal.reflection_min = truth.longitudinal.reflection_max = 0.98;
   const ToolFit fit = fit_tool(recorded(truth), "blow.wav", {});
   CHECK(fit.estimated);
   CHECK(fit.model.bar.length_m == doctest::Approx(0.5).epsilon(0.03));

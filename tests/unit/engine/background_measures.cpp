@@ -4,13 +4,13 @@
 #include <cmath>
 #include <vector>
 
-#include "background/crank.hpp"
-#include "background/rpm_tracker.hpp"
+#include "diesel/crank.hpp"
 #include "rigsound/dsp/interpolation_kernel.hpp"
+#include "rigsound/machine/rpm_tracker.hpp"
 
 namespace rigsound::tests {
 
-using namespace rigsound::background;
+using namespace rigsound::diesel;
 
 ResamplingError resampling_error() {
   constexpr int N = 1024;

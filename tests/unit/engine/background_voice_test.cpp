@@ -4,22 +4,22 @@
 #include <cmath>
 #include <vector>
 
-#include "background/background_layer.hpp"
-#include "background/slot_source.hpp"
-#include "background/wavelet_tree.hpp"
+#include "diesel/diesel_layer.hpp"
+#include "diesel/slot_source.hpp"
+#include "diesel/wavelet_tree.hpp"
 #include "engine/allocation_guard.hpp"
 #include "engine/background_measures.hpp"
-#include "rigsound/default_background.hpp"
+#include "rigsound/default_diesel.hpp"
 #include "rigsound/dsp/linear_prediction.hpp"
 
 using namespace rigsound;
-using namespace rigsound::background;
+using namespace rigsound::diesel;
 
 namespace {
 
 constexpr double kRate = 48000;
 
-std::vector<double> play(BackgroundLayer& layer, const BackgroundControls& controls, double seconds) {
+std::vector<double> play(DieselLayer& layer, const DieselInput& controls, double seconds) {
   std::vector<double> out(static_cast<std::size_t>(seconds * kRate / kChunk) * kChunk);
   for (std::size_t n = 0; n < out.size(); n += kChunk) layer.process(controls, &out[n]);
   return out;
@@ -32,14 +32,15 @@ double power(const std::vector<double>& x, std::size_t from = 0) {
 }
 
 /// One flat point: a single order and nothing else unless asked for.
-BackgroundModel bare(double rpm) {
-  BackgroundModel m;
-  m.A = {1.0F};
-  BackgroundPoint p;
+DieselModel bare(double rpm) {
+  DieselModel m;
+  m.body_filter = {1.0F};
+  DieselPoint p;
   p.rpm = rpm;
-  p.v_lo.assign(static_cast<std::size_t>((m.N + 1) * m.P_lo), 0.0F);
-  p.v_hi.assign(static_cast<std::size_t>(m.L) * (slot_band_edges(m.M()).size() - 1), 0.0F);
-  p.s2.assign(static_cast<std::size_t>(m.L), 0.0F);
+  p.low_variance.assign(static_cast<std::size_t>((m.low_scales + 1) * m.low_channels), 0.0F);
+  p.slot_variance.assign(static_cast<std::size_t>(m.slots) * (slot_band_edges(m.slot_samples()).size() - 1),
+                         0.0F);
+  p.slot_log_variance.assign(static_cast<std::size_t>(m.slots), 0.0F);
   m.points = {p};
   return m;
 }
@@ -47,11 +48,11 @@ BackgroundModel bare(double rpm) {
 }  // namespace
 
 TEST_CASE("an order sounds at its frequency and level, whatever the speed") {
-  BackgroundModel model = bare(1200);
-  model.points[0].C.assign(12, {0, 0});
-  model.points[0].C[11] = {0.1F, 0.0F};
+  DieselModel model = bare(1200);
+  model.points[0].orders.assign(12, {0, 0});
+  model.points[0].orders[11] = {0.1F, 0.0F};
   for (const double rpm : {900.0, 1200.0}) {
-    BackgroundLayer layer({model}, kRate, 1, 600);
+    DieselLayer layer({model}, kRate, 1, 600);
     const std::vector<double> x = play(layer, {rpm, 0, 0}, 3);
     double re = 0, im = 0;
     for (std::size_t n = x.size() - 48000; n < x.size(); ++n) {
@@ -64,29 +65,29 @@ TEST_CASE("an order sounds at its frequency and level, whatever the speed") {
 }
 
 TEST_CASE("orders that would fold over fall silent") {
-  BackgroundModel model = bare(800);
-  model.N_theta = 8192, model.L = 128;
-  model.points[0].v_hi.assign(128 * (slot_band_edges(64).size() - 1), 0.0F);
-  model.points[0].s2.assign(128, 0.0F);
-  model.points[0].C.assign(1600, {0, 0});
-  model.points[0].C[1599] = {0.1F, 0.0F};  // 10.7 kHz at 800 r/min, 26.7 kHz at 2000
-  BackgroundLayer layer({model}, kRate, 1, 600);
+  DieselModel model = bare(800);
+  model.angle_samples = 8192, model.slots = 128;
+  model.points[0].slot_variance.assign(128 * (slot_band_edges(64).size() - 1), 0.0F);
+  model.points[0].slot_log_variance.assign(128, 0.0F);
+  model.points[0].orders.assign(1600, {0, 0});
+  model.points[0].orders[1599] = {0.1F, 0.0F};  // 10.7 kHz at 800 r/min, 26.7 kHz at 2000
+  DieselLayer layer({model}, kRate, 1, 600);
   CHECK(power(play(layer, {800, 0, 0}, 2), 48000) > 0.004);
   CHECK(power(play(layer, {2000, 0, 0}, 2), 48000) < 1e-9);
 }
 
 TEST_CASE("whatever the bus says, the voice neither clicks nor leaves the numbers") {
-  const BackgroundModel model = default_background();
+  const DieselModel model = default_diesel();
   const auto largest_step = [](const std::vector<double>& x) {
     double worst = 0;
     for (std::size_t n = 1; n < x.size(); ++n) worst = std::max(worst, std::fabs(x[n] - x[n - 1]));
     return worst;
   };
-  BackgroundLayer calm({model}, kRate, 1, 800);
+  DieselLayer calm({model}, kRate, 1, 800);
   double usual = 0;
   for (const double rpm : {800.0, 1500.0, 2500.0, 4000.0})
     usual = std::max(usual, largest_step(play(calm, {rpm, 1, 1}, 1)));
-  BackgroundLayer wild({model}, kRate, 1, 800);
+  DieselLayer wild({model}, kRate, 1, 800);
   const double jumps[][3] = {{4000, 0, 0}, {0, 1, 1},   {800, 0, 1},  {801, 1, 0},  {3999, 0, 1},
                              {20, 1, 0},   {0, 0, 0},   {1e-3, 1, 1}, {1500, 0, 0}, {0, 1, 1},
                              {4000, 1, 1}, {700, 0, 0}, {2300, 1, 0}, {300, 0, 1},  {900, 1, 1}};
@@ -99,9 +100,9 @@ TEST_CASE("whatever the bus says, the voice neither clicks nor leaves the number
 }
 
 TEST_CASE("the same seed gives the same samples, another one others; the audio thread never allocates") {
-  const BackgroundModel model = default_background();
-  BackgroundLayer a({model}, kRate, 7, 800), b({model}, kRate, 7, 800), c({model}, kRate, 8, 800);
-  const BackgroundControls controls{1500, 0.4, 0.6};
+  const DieselModel model = default_diesel();
+  DieselLayer a({model}, kRate, 7, 800), b({model}, kRate, 7, 800), c({model}, kRate, 8, 800);
+  const DieselInput controls{1500, 0.4, 0.6};
   const std::vector<double> x = play(a, controls, 1);
   CHECK(x == play(b, controls, 1));
   CHECK(x != play(c, controls, 1));
@@ -112,7 +113,7 @@ TEST_CASE("the same seed gives the same samples, another one others; the audio t
 }
 
 TEST_CASE("an engine that stands is silent, whatever the pressure") {
-  BackgroundLayer layer({default_background()}, kRate, 1, 800);
+  DieselLayer layer({default_diesel()}, kRate, 1, 800);
   CHECK(power(play(layer, {0, 0, 1}, 0.5)) == 0);
   CHECK(power(play(layer, {800, 0, 0}, 2), 48000) > 1e-5);
   play(layer, {0, 0, 0}, 1);
@@ -120,11 +121,11 @@ TEST_CASE("an engine that stands is silent, whatever the pressure") {
 }
 
 TEST_CASE("hydraulics: pump and flow as loud as written, by the pressure to its exponent") {
-  BackgroundModel model = bare(800);
+  DieselModel model = bare(800);
   model.hydraulic.pump = {0.02F, 0.01F};
   model.hydraulic.flow = 0.03;
-  model.hydraulic.flow_A = {1.0F, -0.9F};
-  BackgroundLayer layer({model}, kRate, 1, 800);
+  model.hydraulic.flow_filter = {1.0F, -0.9F};
+  DieselLayer layer({model}, kRate, 1, 800);
   const double full = power(play(layer, {800, 0, 1}, 8), 96000);
   CHECK(full == doctest::Approx(0.5 * (4e-4 + 1e-4) + 9e-4).epsilon(0.03));
   const double half = power(play(layer, {800, 0, 0.5}, 8), 96000);
@@ -132,9 +133,9 @@ TEST_CASE("hydraulics: pump and flow as loud as written, by the pressure to its 
 }
 
 TEST_CASE("the pump strokes at its order of the speed") {
-  BackgroundModel model = bare(800);
+  DieselModel model = bare(800);
   model.hydraulic.pump = {0.02F};
-  BackgroundLayer layer({model}, kRate, 1, 800);
+  DieselLayer layer({model}, kRate, 1, 800);
   const std::vector<double> x = play(layer, {1200, 0, 1}, 3);
   const auto near = [&](double hz) {  // mean power 4 Hz around: the line is 0.3 Hz wide
     double sum = 0;
@@ -152,10 +153,10 @@ TEST_CASE("the pump strokes at its order of the speed") {
 }
 
 TEST_CASE("recorded start and stop play once each") {
-  BackgroundModel model = bare(800);
+  DieselModel model = bare(800);
   model.start.assign(24000, 0.25F);
   model.stop.assign(12000, -0.125F);
-  BackgroundLayer layer({model}, kRate, 1, 800);
+  DieselLayer layer({model}, kRate, 1, 800);
   const auto sum = [](const std::vector<double>& x) {
     double s = 0;
     for (const double v : x) s += v;
@@ -166,10 +167,10 @@ TEST_CASE("recorded start and stop play once each") {
 }
 
 TEST_CASE("a one-shot that is overtaken fades away") {
-  BackgroundModel model = bare(800);
+  DieselModel model = bare(800);
   model.start.assign(48000, 0.25F);
   model.stop.assign(48000, -0.125F);
-  BackgroundLayer layer({model}, kRate, 1, 800);
+  DieselLayer layer({model}, kRate, 1, 800);
   const auto steps_of = [](const std::vector<double>& x) {
     double worst = 0;
     for (std::size_t n = 1; n < x.size(); ++n) worst = std::max(worst, std::fabs(x[n] - x[n - 1]));
@@ -213,13 +214,14 @@ TEST_CASE("a wavelet tree with equal deviations is white, each scale brings its 
 }
 
 TEST_CASE("slots give the variance they were told, slot by slot") {
-  BackgroundModel model = bare(1200);
-  const std::size_t bands = slot_band_edges(model.M()).size() - 1;
+  DieselModel model = bare(1200);
+  const std::size_t bands = slot_band_edges(model.slot_samples()).size() - 1;
   for (std::size_t l = 0; l < 64; ++l)
-    for (std::size_t b = 0; b < bands; ++b) model.points[0].v_hi[l * bands + b] = l % 16 < 4 ? 4.0F : 1.0F;
+    for (std::size_t b = 0; b < bands; ++b)
+      model.points[0].slot_variance[l * bands + b] = l % 16 < 4 ? 4.0F : 1.0F;
   const OperatingGrid grid(model, kRate);
   SlotSource source(model, kRate, 3);
-  std::vector<double> slot(static_cast<std::size_t>(model.M()));
+  std::vector<double> slot(static_cast<std::size_t>(model.slot_samples()));
   double loud = 0, soft = 0;
   for (int frame = 0; frame < 64 * 200; ++frame) {
     source.produce(grid, grid.place(1200, 0), 10, slot.data());
@@ -232,19 +234,19 @@ TEST_CASE("slots give the variance they were told, slot by slot") {
 }
 
 TEST_CASE("two points join in the order domain: level geometric, phase along the shorter way") {
-  BackgroundModel model = bare(1000);
-  model.points[0].C = {{0.01F, 0.0F}};
-  BackgroundPoint fast = model.points[0];
+  DieselModel model = bare(1000);
+  model.points[0].orders = {{0.01F, 0.0F}};
+  DieselPoint fast = model.points[0];
   fast.rpm = 2000;
-  fast.C = {std::polar(0.04F, 2.0F)};
+  fast.orders = {std::polar(0.04F, 2.0F)};
   model.points.push_back(fast);
   const OperatingGrid grid(model, kRate);
   const double middle = std::sqrt(1000.0 * 2000.0);
-  std::vector<double> table(static_cast<std::size_t>(model.N_theta));
-  grid.mix(grid.place(middle, 0), &OperatingState::table, 0, model.N_theta, table.data());
+  std::vector<double> table(static_cast<std::size_t>(model.angle_samples));
+  grid.mix(grid.place(middle, 0), &OperatingState::table, 0, model.angle_samples, table.data());
   for (std::size_t n = 0; n < table.size(); n += 97)
     CHECK(table[n] ==
-          doctest::Approx(0.02 * std::cos(2 * M_PI * static_cast<double>(n) / model.N_theta + 1.0))
+          doctest::Approx(0.02 * std::cos(2 * M_PI * static_cast<double>(n) / model.angle_samples + 1.0))
               .epsilon(0.001)
               .scale(0.02));
 }
@@ -282,13 +284,12 @@ TEST_CASE("an all-pole body keeps its response at another sampling rate") {
 
 TEST_CASE("a model that cannot be played is refused by name") {
   const auto refused = [](auto change, const char* word) {
-    BackgroundModel model = default_background();
+    DieselModel model = default_diesel();
     change(model);
-    CHECK_THROWS_WITH_AS(BackgroundLayer({model}, kRate, 1, 800), doctest::Contains(word),
-                         std::invalid_argument);
+    CHECK_THROWS_WITH_AS(DieselLayer({model}, kRate, 1, 800), doctest::Contains(word), std::invalid_argument);
   };
   refused([](auto& m) { m.points.clear(); }, "point");
-  refused([](auto& m) { m.N_theta = 5000; }, "N_theta");
-  refused([](auto& m) { m.points[1].v_hi.pop_back(); }, "v_hi");
-  refused([](auto& m) { m.A = {1.0F, -2.1F}; }, "stable");
+  refused([](auto& m) { m.angle_samples = 5000; }, "N_theta");
+  refused([](auto& m) { m.points[1].slot_variance.pop_back(); }, "v_hi");
+  refused([](auto& m) { m.body_filter = {1.0F, -2.1F}; }, "stable");
 }

@@ -32,8 +32,8 @@ TEST_CASE("attack and decay factors turn a click into one with the wanted envelo
 TEST_CASE("a click made longer still ends 30 dB down, and a bent attack made shorter stays bounded") {
   ClickBank bank = flat_bank(200, 0.002);
   bank.clicks[0].clear();
-  bank.alpha_a = -0.04;  // hardly anything in the first half
-  drill::AttackDecay envelope(bank.N_a, bank.alpha_a, bank.alpha_d);
+  bank.attack_bend = -0.04;  // hardly anything in the first half
+  drill::AttackDecay envelope(bank.attack_samples, bank.attack_bend, bank.decay);
   for (int n = 0; n < 3000; ++n) bank.clicks[0].push_back(static_cast<float>(envelope.next()));
   DrillControls controls;
   controls.attack_factor = 0.2f, controls.decay_factor = 0.25f;
@@ -48,7 +48,7 @@ namespace {
 /// Mean square over the strikes of a bank of noise clicks, sample by sample after the onset.
 std::vector<double> mean_power_course(const DrillControls& controls, std::size_t samples) {
   ClickBank bank = flat_bank(96, 0.004);
-  bank.T_0 = 8000, bank.sigma_T = 0;
+  bank.mean_gap_samples = 8000, bank.gap_deviation_samples = 0;
   const std::vector<float> envelope = bank.clicks[0];
   const dsp::RandomField noise(77, 0, 0);
   bank.clicks.assign(40, envelope);
@@ -60,8 +60,8 @@ std::vector<double> mean_power_course(const DrillControls& controls, std::size_t
   while (sound.size() < 400 * 8000) {
     double out[kChunk];
     player.process(controls, out);
-    for (int i = 0; i < player.impact_count(); ++i)
-      onsets.push_back(static_cast<double>(sound.size()) + player.impacts()[i].onset);
+    for (const Impact& impact : player.impacts())
+      onsets.push_back(static_cast<double>(sound.size()) + impact.onset);
     sound.insert(sound.end(), out, out + kChunk);
   }
   onsets.pop_back();
@@ -125,10 +125,10 @@ TEST_CASE("rate, gain and deviations change what they say and nothing else") {
     for (int c = 0; c < chunks; ++c) {
       double out[kChunk];
       player.process(controls, out);
-      for (int i = 0; i < player.impact_count(); ++i) {
-        const double now = c * kChunk + player.impacts()[i].onset;
+      for (const Impact& impact : player.impacts()) {
+        const double now = c * kChunk + impact.onset;
         if (last >= 0) heard.gaps.push_back(now - last);
-        heard.amplitudes.push_back(player.impacts()[i].amplitude);
+        heard.amplitudes.push_back(impact.amplitude);
         last = now;
       }
       heard.sound.insert(heard.sound.end(), out, out + kChunk);
@@ -139,7 +139,7 @@ TEST_CASE("rate, gain and deviations change what they say and nothing else") {
 
   SUBCASE("the rate divides every gap and leaves amplitudes and the first click alone") {
     DrillControls faster;
-    faster.mean_frequency_hz = static_cast<float>(1.6 * bank.sample_rate / bank.T_0);
+    faster.mean_frequency_hz = static_cast<float>(1.6 * bank.sample_rate / bank.mean_gap_samples);
     const Heard fast = play(faster, 15000);
     REQUIRE(fast.gaps.size() > 1.5 * static_cast<double>(own.gaps.size()));
     for (std::size_t i = 0; i < own.gaps.size(); ++i) {
@@ -164,8 +164,9 @@ TEST_CASE("rate, gain and deviations change what they say and nothing else") {
       return std::sqrt(square) / mean;
     };
     const auto plain = [&bank](std::vector<double> gaps) {
-      gaps.erase(std::remove_if(gaps.begin(), gaps.end(), [&](double g) { return g > 1.6 * bank.T_0; }),
-                 gaps.end());
+      gaps.erase(
+          std::remove_if(gaps.begin(), gaps.end(), [&](double g) { return g > 1.6 * bank.mean_gap_samples; }),
+          gaps.end());
       return gaps;
     };
     for (const float factor : {0.0f, 0.5f, 2.0f}) {
@@ -173,9 +174,13 @@ TEST_CASE("rate, gain and deviations change what they say and nothing else") {
       time.deviation_time = factor, amplitude.deviation_amplitude = factor;
       const Heard in_time = play(time, 60000), in_amplitude = play(amplitude, 60000);
       CHECK(variation(plain(in_time.gaps)) ==
-            doctest::Approx(static_cast<double>(factor) * bank.sigma_T / bank.T_0).epsilon(0.06).scale(1e-3));
+            doctest::Approx(static_cast<double>(factor) * bank.gap_deviation_samples / bank.mean_gap_samples)
+                .epsilon(0.06)
+                .scale(1e-3));
       CHECK(variation(in_amplitude.amplitudes) ==
-            doctest::Approx(static_cast<double>(factor) * bank.sigma_B / bank.B).epsilon(0.06).scale(1e-3));
+            doctest::Approx(static_cast<double>(factor) * bank.amplitude_deviation / bank.mean_amplitude)
+                .epsilon(0.06)
+                .scale(1e-3));
     }
   }
 }

@@ -10,6 +10,7 @@
 #include "drill/attack_decay.hpp"
 #include "drill/drill_layer.hpp"
 #include "engine/flat_bank.hpp"
+#include "impact/impact_train.hpp"
 #include "rigsound/bank_player.hpp"
 
 using namespace rigsound;
@@ -94,15 +95,16 @@ TEST_CASE("a bank plays at its own mean rate and level, and at the rate it is as
     for (int i = 0; i < kChunks; ++i) {
       double out[kChunk];
       player.process(controls, out);
-      count += player.impact_count();
+      count += player.impacts().count;
       for (const double x : out) energy += x * x;
     }
-    const double own = 48000 / bank.T_0;
+    const double own = 48000 / bank.mean_gap_samples;
     const double wanted = rate > 0 ? static_cast<double>(rate) : own;
-    const double per_gap = 1 + bank.p_miss;  // a missed strike doubles its gap
+    const double per_gap = 1 + bank.miss_share;  // a missed strike doubles its gap
     CHECK(count / 60.0 == doctest::Approx(wanted / per_gap).epsilon(0.02));
     // independent clicks of unit norm: energy adds up as rate x E{B^2}
-    const double expected = count * (bank.B * bank.B + bank.sigma_B * bank.sigma_B);
+    const double expected = count * (bank.mean_amplitude * bank.mean_amplitude +
+                                     bank.amplitude_deviation * bank.amplitude_deviation);
     CHECK(energy == doctest::Approx(expected).epsilon(0.05));
   }
 }
@@ -115,20 +117,21 @@ TEST_CASE("a bank played offline has the samples a boom plays live") {
   BankPlayer offline(bank, 11);
   impact::ImpactTrain train(11, 0);
   drill::DrillLayer live(11, 0);
-  std::array<scene::Slot, kSituationCount> slots{};
-  slots[0] = {&bank, 1, 1};
+  drill::DrillInput input;
+  input.slots[0] = {&bank, {1, 1}};
+  input.controls = controls;
   for (int chunk = 0; chunk < 3000; ++chunk) {
     double played[kChunk], heard[kChunk];
     offline.process(controls, played);
     train.process(impact::statistics_of(bank, bank.sample_rate, 0, controls));
-    live.process(slots, controls, train, heard);
+    live.process(input, train.impacts(), heard);
     for (int n = 0; n < kChunk; ++n) REQUIRE(played[n] == heard[n]);
   }
 }
 
 TEST_CASE("an unusable bank is refused by name when the player is built") {
   ClickBank bank = flat_bank(0, 0.002);
-  bank.T_0 = 0;
+  bank.mean_gap_samples = 0;
   CHECK_THROWS_WITH_AS(BankPlayer(bank, 1), doctest::Contains("T0"), std::invalid_argument);
   bank = flat_bank(0, 0.002);
   bank.clicks[0][7] = std::nanf("");

@@ -1,11 +1,11 @@
-#include "dsp/elementary.hpp"
+#include "rigsound/dsp/elementary.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "dsp/random.hpp"
+#include "rigsound/dsp/random.hpp"
 
 using namespace rigsound;
 

@@ -96,7 +96,7 @@ TEST_CASE("the tool rings on the very sample of the click") {
   SoundSet sounds = tools::formula_sounds();
   EngineOptions options;
   options.booms = {{"boom", 0, 0, 0}};
-  sounds.backgrounds.clear();
+  sounds.diesels.clear();
   MachineState state;
   state.boom[0].feed_pressure_bar = 90;
   const auto first_sound = [&](double drill_db, double tool_db) {

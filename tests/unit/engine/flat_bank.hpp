@@ -11,7 +11,7 @@ namespace rigsound {
 
 inline ClickBank flat_bank(double N_a, double alpha_d) {
   ClickBank bank;
-  bank.T_0 = 4800, bank.B = 2, bank.N_a = N_a, bank.alpha_d = alpha_d;
+  bank.mean_gap_samples = 4800, bank.mean_amplitude = 2, bank.attack_samples = N_a, bank.decay = alpha_d;
   std::vector<float> click;
   drill::AttackDecay envelope(N_a, 0, alpha_d);
   for (int n = 0; n < 2000; ++n) click.push_back(static_cast<float>(envelope.next()));

@@ -18,8 +18,7 @@ std::vector<Blow> blows(const impact::Statistics& s, double seconds, std::uint64
   std::vector<Blow> list;
   for (double start = 0; start < seconds * 48000; start += kChunk) {
     train.process(s);
-    for (int i = 0; i < train.count(); ++i)
-      list.push_back({start + train.begin()[i].onset, train.begin()[i].amplitude});
+    for (const Impact& impact : train.impacts()) list.push_back({start + impact.onset, impact.amplitude});
   }
   return list;
 }
@@ -51,7 +50,8 @@ std::vector<double> gaps(const std::vector<Blow>& list) {
 
 TEST_CASE("gaps and amplitudes have the mean, deviation and lag-1 correlation asked for") {
   impact::Statistics s;
-  s.T_0 = 1300.7, s.cv_T = 0.08, s.r_T = -0.4, s.cv_B = 0.25, s.r_B = 0.5;
+  s.mean_gap_samples = 1300.7, s.gap_variation = 0.08, s.gap_correlation = -0.4, s.amplitude_variation = 0.25,
+  s.amplitude_correlation = 0.5;
   const std::vector<Blow> list = blows(s, 600);
   const Series gap = describe(gaps(list));
   CHECK(gap.mean == doctest::Approx(1300.7).epsilon(0.002));
@@ -68,7 +68,7 @@ TEST_CASE("gaps and amplitudes have the mean, deviation and lag-1 correlation as
 
 TEST_CASE("a metronome keeps its period exactly, sample fractions included") {
   impact::Statistics s;
-  s.T_0 = 1234.5678;
+  s.mean_gap_samples = 1234.5678;
   const std::vector<Blow> list = blows(s, 20);
   CHECK(list.front().time == 0);
   for (std::size_t i = 0; i < list.size(); ++i)
@@ -77,7 +77,7 @@ TEST_CASE("a metronome keeps its period exactly, sample fractions included") {
 
 TEST_CASE("missed and doubled strikes come in their shares") {
   impact::Statistics s;
-  s.T_0 = 1000, s.cv_T = 0.02, s.p_miss = 0.12, s.p_double = 0.05;
+  s.mean_gap_samples = 1000, s.gap_variation = 0.02, s.miss_share = 0.12, s.double_share = 0.05;
   const std::vector<double> g = gaps(blows(s, 400));
   double missed = 0, doubled = 0;
   for (const double gap : g) missed += gap > 1600, doubled += gap < 700;
@@ -88,37 +88,38 @@ TEST_CASE("missed and doubled strikes come in their shares") {
 
 TEST_CASE("a rate change acts on the gap that is running") {
   impact::Statistics slow, fast;
-  slow.T_0 = 9600, fast.T_0 = 600;
+  slow.mean_gap_samples = 9600, fast.mean_gap_samples = 600;
   impact::ImpactTrain train(1, 0);
   train.process(slow);
-  REQUIRE(train.count() == 1);
+  REQUIRE(train.impacts().count == 1);
   int chunks = 0;
   do train.process(fast), ++chunks;
-  while (train.count() == 0 && chunks < 1000);
+  while (train.impacts().count == 0 && chunks < 1000);
   CHECK(chunks * kChunk <= 600 + kChunk);
 }
 
 TEST_CASE("at rest nothing strikes, and the first blow after it comes at once") {
   impact::Statistics s;
-  s.T_0 = 1000;
+  s.mean_gap_samples = 1000;
   impact::ImpactTrain train(1, 0);
   for (int i = 0; i < 10; ++i) train.process(s);
   train.process({});
-  CHECK(train.count() == 0);
+  CHECK(train.impacts().count == 0);
   train.process(s);
-  CHECK(train.count() == 1);
-  CHECK(train.begin()[0].onset == 0);
+  CHECK(train.impacts().count == 1);
+  CHECK(train.impacts().first->onset == 0);
 }
 
 TEST_CASE("two booms, or two seeds, do not strike alike") {
   impact::Statistics s;
-  s.T_0 = 1000, s.cv_T = 0.1;
+  s.mean_gap_samples = 1000, s.gap_variation = 0.1;
   CHECK(gaps(blows(s, 1, 3))[0] != gaps(blows(s, 1, 4))[0]);
   impact::ImpactTrain a(3, 0), b(3, 1);
   a.process(s), b.process(s);
-  CHECK(a.begin()[0].amplitude == b.begin()[0].amplitude);  // no scatter asked for: both are the mean
-  s.cv_B = 0.2;
+  CHECK(a.impacts().first->amplitude ==
+        b.impacts().first->amplitude);  // no scatter asked for: both are the mean
+  s.amplitude_variation = 0.2;
   impact::ImpactTrain c(3, 0), d(3, 1);
   c.process(s), d.process(s);
-  CHECK(c.begin()[0].amplitude != d.begin()[0].amplitude);
+  CHECK(c.impacts().first->amplitude != d.impacts().first->amplitude);
 }

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <vector>
 
-#include "dsp/biquad.hpp"
-#include "dsp/random.hpp"
 #include "mix/limiter.hpp"
 #include "mix/mixer.hpp"
+#include "rigsound/dsp/biquad.hpp"
+#include "rigsound/dsp/random.hpp"
 
 using namespace rigsound;
 
@@ -63,7 +63,7 @@ TEST_CASE("pan keeps the power and reaches both ends") {
     mix::Buses buses{};
     for (double& x : buses.drill[0]) x = 0.5;
     float out[kChunk * 2];
-    mixer.process(buses, 1, 1, out);
+    mixer.process(buses, {1, 1}, out);
     const double left = static_cast<double>(out[10]), right = static_cast<double>(out[11]);
     CHECK(left * left + right * right == doctest::Approx(0.25).epsilon(1e-6));
     if (pan == -1) CHECK(right == doctest::Approx(0).scale(1));

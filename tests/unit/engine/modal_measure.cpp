@@ -97,12 +97,12 @@ MeasuredMode nearest(const std::vector<MeasuredMode>& modes, double omega) {
 }
 
 std::vector<double> modal_bank(const LoopDesign& loop, double k, int samples) {
-  Factored round{{}, k, loop.N};
+  Factored round{{}, k, loop.delay_samples};
   const auto part = [&](const Polynomial& top, const Polynomial& bottom) {
     round.parts.push_back({top, bottom});
   };
   part(linear(0, 1), linear(loop.filters.dc, 1));
-  part(linear(loop.filters.shelf, loop.filters.g), linear(loop.filters.shelf, 1));
+  part(linear(loop.filters.shelf, loop.filters.shelf_gain), linear(loop.filters.shelf, 1));
   for (int i = 0; i < loop.allpass.sections; ++i) {
     const auto [b, c] = loop.allpass.section[static_cast<std::size_t>(i)];
     part(quadratic(c, -b, 1), quadratic(c, b, 1));
@@ -113,8 +113,9 @@ std::vector<double> modal_bank(const LoopDesign& loop, double k, int samples) {
   Polynomial top{k}, closed{1.0};
   for (const auto& [numerator, denominator] : round.parts)
     top = times(top, numerator), closed = times(closed, denominator);
-  closed.resize(top.size() + static_cast<std::size_t>(loop.N), 0.0);
-  for (std::size_t i = 0; i < top.size(); ++i) closed[i + static_cast<std::size_t>(loop.N)] -= top[i];
+  closed.resize(top.size() + static_cast<std::size_t>(loop.delay_samples), 0.0);
+  for (std::size_t i = 0; i < top.size(); ++i)
+    closed[i + static_cast<std::size_t>(loop.delay_samples)] -= top[i];
 
   // y/x = 1 / (1 - round); a simple pole z adds residue z^n with residue = -1 / (z round'(z)).
   std::vector<double> y(static_cast<std::size_t>(samples), 0.0);

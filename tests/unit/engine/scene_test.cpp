@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "bench/formula_sounds.hpp"
+#include "rigsound/machine/state_guard.hpp"
 #include "scene/bank_choice.hpp"
 #include "scene/boom_scene.hpp"
 #include "scene/feed_rule.hpp"
-#include "scene/state_guard.hpp"
 
 using namespace rigsound;
 
@@ -85,12 +85,12 @@ TEST_CASE("a crossfade has equal power at every chunk and takes crossfade_s") {
   for (int i = 0; i < chunks; ++i) {
     boom.advance();
     double power = 0;
-    for (const scene::Slot& slot : boom.slots()) power += slot.gain_to * slot.gain_to;
+    for (const drill::Slot& slot : boom.drill().slots) power += slot.gain.to * slot.gain.to;
     REQUIRE(power == doctest::Approx(1).epsilon(1e-9));
   }
-  CHECK(boom.slots()[static_cast<std::size_t>(Situation::kOverfeed)].gain_to == doctest::Approx(1));
-  CHECK(boom.slots()[static_cast<std::size_t>(Situation::kNormal)].gain_to == doctest::Approx(0));
-  CHECK(boom.statistics().T_0 == doctest::Approx(sounds.banks[2].T_0));
+  CHECK(boom.drill().slots[static_cast<std::size_t>(Situation::kOverfeed)].gain.to == doctest::Approx(1));
+  CHECK(boom.drill().slots[static_cast<std::size_t>(Situation::kNormal)].gain.to == doctest::Approx(0));
+  CHECK(boom.impacts().mean_gap_samples == doctest::Approx(sounds.banks[2].mean_gap_samples));
 }
 
 TEST_CASE("open rattling starts with its burst and settles") {
@@ -100,7 +100,7 @@ TEST_CASE("open rattling starts with its burst and settles") {
   boom.latch(fed(0, Rattling::kOpen));
   const auto gain_after = [&](double seconds) {
     for (int i = 0; i < static_cast<int>(seconds * options.sample_rate / kChunk); ++i) boom.advance();
-    return boom.slots()[static_cast<std::size_t>(Situation::kOpenRattling)].gain_to;
+    return boom.drill().slots[static_cast<std::size_t>(Situation::kOpenRattling)].gain.to;
   };
   CHECK(gain_after(0.5) == doctest::Approx(1));
   CHECK(gain_after(1.5) == doctest::Approx(std::pow(10, options.scene.open_sustain_db / 20)).epsilon(0.01));
@@ -118,7 +118,7 @@ TEST_CASE("nonsense from outside is brought into range") {
   state.boom[0].feed_pressure_bar = 1e30f;
   state.boom[0].controls.decay_factor = -INFINITY;
   state.boom[0].controls.mean_frequency_hz = std::nanf("");
-  const MachineState safe = scene::guarded(state);
+  const MachineState safe = guarded(state);
   CHECK(safe.engine_rpm == 0);
   CHECK(safe.safety_gain == 0);
   CHECK(safe.master_gain_db == 0);

@@ -1,4 +1,4 @@
-#include "rigsound/signal_board.hpp"
+#include "rigsound/machine/signal_board.hpp"
 
 #include <doctest/doctest.h>
 

@@ -11,7 +11,7 @@
 #include "engine/tool_sounds.hpp"
 #include "rigsound/tool_model.hpp"
 #include "tool/bar_loops.hpp"
-#include "tool/mode_law.hpp"
+#include "tool/design/mode_law.hpp"
 
 using namespace rigsound;
 using namespace rigsound::tool;
@@ -31,12 +31,12 @@ std::vector<double> sequential_response(const LoopDesign& loop, double k, int sa
   if (loop.allpass.first_orders) set_section(lanes, stages++, loop.allpass.a, 0);
   const LoopFilters& f = loop.filters;
   const double R = (1 - f.dc) / (1 + f.dc), gain = (loop.allpass.first_orders ? -1 : 1) * dc_gain(R);
-  const double s0 = gain * ((f.shelf + f.g) / (f.shelf + 1)), s1 = gain * ((f.shelf - f.g) / (f.shelf + 1)),
-               q = (1 - f.shelf) / (1 + f.shelf);
+  const double s0 = gain * ((f.shelf + f.shelf_gain) / (f.shelf + 1)),
+               s1 = gain * ((f.shelf - f.shelf_gain) / (f.shelf + 1)), q = (1 - f.shelf) / (1 + f.shelf);
   double dc = 0, shelf = 0;
   std::vector<double> y;
   for (int n = 0; n < samples; ++n) {
-    double v = n >= loop.N ? y[static_cast<std::size_t>(n - loop.N)] : 0;
+    double v = n >= loop.delay_samples ? y[static_cast<std::size_t>(n - loop.delay_samples)] : 0;
     for (int i = 0; i < stages; ++i) {
       const double half = lanes.g0[i] * lanes.x1[i] - lanes.g1[i] * lanes.x2[i], m = half + lanes.g2[i] * v;
       v = lanes.c0[i] * v - lanes.h[i] * half;
@@ -62,12 +62,12 @@ TEST_CASE("modes measured in the rendered sound are the bar's, with the decay th
       const ToolModel model = model_of(bar);
       const ToolDesign design = design_tool(model, rate);
       const LoopDesign& loop = design.transversal;
-      const double k_ref = 0.5 * (loop.k_min + loop.k_max);
+      const double k_ref = 0.5 * (loop.reflection_min + loop.reflection_max);
       const int samples = static_cast<int>(0.05 * rate), every = static_cast<int>(rate / 40000);
-      const int order = loop.N + loop.allpass.order() + 2;
+      const int order = loop.delay_samples + loop.allpass.order() + 2;
       const auto tuned = measure_modes(impulse_response(design, kTransversal, k_ref, samples), order, every);
       const auto free =
-          measure_modes(impulse_response(design, kTransversal, loop.k_max, samples), order, every);
+          measure_modes(impulse_response(design, kTransversal, loop.reflection_max, samples), order, every);
       const TransversalLaw law(bar);
       for (const TunedMode& mode : tuned_modes(model, design)) {
         if (mode.family != "transversal") continue;

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "dsp/random.hpp"
+#include "rigsound/dsp/random.hpp"
 #include "rigsound/tool_model.hpp"
 
 using namespace rigsound;
@@ -47,8 +47,8 @@ TEST_CASE("random bars are tuned to within a third of a cent, within the order a
       const ToolDesign design = design_tool(model, rate);
       CHECK(design.transversal.allpass.order() <= 30);
       CHECK(design.longitudinal.allpass.order() <= 5);
-      CHECK(design.transversal.N >= design.transversal.allpass.stages());
-      CHECK(design.longitudinal.N >= design.longitudinal.allpass.stages());
+      CHECK(design.transversal.delay_samples >= design.transversal.allpass.stages());
+      CHECK(design.longitudinal.delay_samples >= design.longitudinal.allpass.stages());
       for (const TunedMode& mode : tuned_modes(model, design))
         CHECK(std::fabs(mode.error_cents) <= (mode.family == "transversal" ? 0.3 : 1.0));
     }
@@ -99,16 +99,16 @@ TEST_CASE("a wish that cannot be granted is answered with what can") {
 TEST_CASE("a design made ahead of time is taken as it is, at its own rate and for its own bar only") {
   ToolModel model;
   ToolDesign ready = design_tool(model, 48000);
-  ready.transversal.k_max = 0.88;
+  ready.transversal.reflection_max = 0.88;
   model.designs = {ready};
-  CHECK(design_for(model, 48000).transversal.k_max == 0.88);
-  CHECK(design_for(model, 44100).transversal.k_max == 0.89);
+  CHECK(design_for(model, 48000).transversal.reflection_max == 0.88);
+  CHECK(design_for(model, 44100).transversal.reflection_max == 0.89);
   ToolModel longer = model, livelier = model;
   longer.bar.length_m = 0.51;
-  livelier.longitudinal.k_max = 0.95;
-  CHECK(design_for(longer, 48000).transversal.k_max == 0.89);
-  CHECK(design_for(livelier, 48000).longitudinal.k_max == 0.95);
-  model.designs[0].transversal.N = 2;
+  livelier.longitudinal.reflection_max = 0.95;
+  CHECK(design_for(longer, 48000).transversal.reflection_max == 0.89);
+  CHECK(design_for(livelier, 48000).longitudinal.reflection_max == 0.95);
+  model.designs[0].transversal.delay_samples = 2;
   CHECK_THROWS_AS(design_for(model, 48000), std::invalid_argument);
 }
 
@@ -133,8 +133,8 @@ TEST_CASE("nonsense is refused when the tool is built") {
   CHECK(begins_with(complaint_after([](ToolModel& m) { m.bar = {0.21, 0.075}; }), "diameter_m: too thick"));
   for (const double rate : {0.0, -48000.0, kNan, 1e9})
     CHECK(begins_with(complaint(ToolModel{}, rate), "rate: "));
-  CHECK(begins_with(complaint_after([](ToolModel& m) { m.transversal.k_max = 1; }), "k_max: "));
-  CHECK(begins_with(complaint_after([](ToolModel& m) { m.transversal.k_min = 0.95; }), "k_min: "));
+  CHECK(begins_with(complaint_after([](ToolModel& m) { m.transversal.reflection_max = 1; }), "k_max: "));
+  CHECK(begins_with(complaint_after([](ToolModel& m) { m.transversal.reflection_min = 0.95; }), "k_min: "));
   CHECK(begins_with(complaint_after([](ToolModel& m) { m.strike.bounces = 5; }), "bounces: "));
   CHECK(begins_with(complaint_after([](ToolModel& m) { m.strike.width_s = 0; }), "width_s: "));
   CHECK(begins_with(complaint_after([](ToolModel& m) { m.voicing.highpass_hz = kNan; }), "highpass_hz: "));

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "dsp/random.hpp"
 #include "engine/tool_sounds.hpp"
+#include "rigsound/dsp/random.hpp"
 
 namespace rigsound::tests {
 namespace {

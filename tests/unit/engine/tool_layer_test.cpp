@@ -18,9 +18,9 @@ namespace {
 
 constexpr double kRate = 48000;
 
-std::function<ToolControls(double)> from(double change_s, const std::function<void(ToolControls&)>& change) {
+std::function<ToolInput(double)> from(double change_s, const std::function<void(ToolInput&)>& change) {
   return [=](double t) {
-    ToolControls controls;
+    ToolInput controls;
     if (t >= change_s) change(controls);
     return controls;
   };
@@ -43,28 +43,30 @@ TEST_CASE("one blow sounds the same at 44.1, 48 and 96 kHz") {
 
 TEST_CASE("live changes leave nothing above 12 kHz") {
   const double change_s = 0.5;
-  const auto residue = [&](const std::function<void(ToolControls&)>& change) {
+  const auto residue = [&](const std::function<void(ToolInput&)>& change) {
     ToolLayer layer(long_ringing_model(), kRate, 1, 0);
     return residue_db(struck(layer, {kRate, 0.7, 0.1}, from(change_s, change)), kRate, change_s - 0.01,
                       change_s + 0.05);
   };
-  CHECK(residue([](ToolControls&) {}) <= -110);
-  CHECK(residue([](ToolControls& c) { c.rods = 2; }) <= -100);
-  CHECK(residue([](ToolControls& c) { c.k_T = 0.93, c.k_L = 0.95; }) <= -90);
-  CHECK(residue([](ToolControls& c) { c.mix_T = 0.3, c.mix_L = 2; }) <= -90);
+  CHECK(residue([](ToolInput&) {}) <= -110);
+  CHECK(residue([](ToolInput& c) { c.rods = 2; }) <= -100);
+  CHECK(residue([](ToolInput& c) { c.transversal_reflection = 0.93, c.longitudinal_reflection = 0.95; }) <=
+        -90);
+  CHECK(residue([](ToolInput& c) { c.transversal_mix = 0.3, c.longitudinal_mix = 2; }) <= -90);
 }
 
 TEST_CASE("live controls end where they were asked to") {
   const ToolModel model = plain_model();
-  const auto with = [&](double change_s, const std::function<void(ToolControls&)>& change) {
+  const auto with = [&](double change_s, const std::function<void(ToolInput&)>& change) {
     ToolLayer layer(model, kRate, 1, 0);
     return after(struck(layer, {kRate, 0.5, 0.2}, from(change_s, change)), 0.2);
   };
-  const auto plain = with(0, [](ToolControls&) {});
-  const auto softer = with(0.1, [](ToolControls& c) { c.amplitude = 0.25; });
-  const auto bending = with(0.1, [](ToolControls& c) { c.mix_L = 0; });
-  const auto stretching = with(0.1, [](ToolControls& c) { c.mix_T = 0; });
-  const auto damped = with(0.1, [](ToolControls& c) { c.k_T = 0.9, c.k_L = 0.9; });
+  const auto plain = with(0, [](ToolInput&) {});
+  const auto softer = with(0.1, [](ToolInput& c) { c.amplitude = 0.25; });
+  const auto bending = with(0.1, [](ToolInput& c) { c.longitudinal_mix = 0; });
+  const auto stretching = with(0.1, [](ToolInput& c) { c.transversal_mix = 0; });
+  const auto damped =
+      with(0.1, [](ToolInput& c) { c.transversal_reflection = 0.9, c.longitudinal_reflection = 0.9; });
   double energy = 0, damped_energy = 0;
   for (std::size_t n = 0; n < plain.size(); ++n) {
     CHECK(softer[n] == doctest::Approx(0.25 * plain[n]).epsilon(1e-9));
@@ -78,18 +80,18 @@ TEST_CASE("live controls end where they were asked to") {
 TEST_CASE("20 ms after a change of steel the new one rings alone, as if there had never been another") {
   ToolModel model = plain_model();
   model.rods = {{2, {0.55, 0.025}}, {3, {0.40, 0.020}}};
-  const auto last_blow = [&](const std::function<ToolControls(double)>& controls, const Bar& bar) {
+  const auto last_blow = [&](const std::function<ToolInput(double)>& controls, const Bar& bar) {
     ToolLayer changing(model, kRate, 1, 0), born(plain_model(bar), kRate, 1, 0);
     // The first blow still rings when the steel changes; the second comes a quarter of a second later.
     const auto sound = struck(changing, {kRate, 0.5, 0.05, 0.25}, controls);
-    const auto alone = struck(born, {kRate, 0.5, 0.30, 0.25}, [](double) { return ToolControls{}; });
+    const auto alone = struck(born, {kRate, 0.5, 0.30, 0.25}, [](double) { return ToolInput{}; });
     return std::pair{after(sound, 0.29), after(alone, 0.29)};
   };
-  const auto [second, as_second] = last_blow(from(0.06, [](ToolControls& c) { c.rods = 2; }), {0.55, 0.025});
+  const auto [second, as_second] = last_blow(from(0.06, [](ToolInput& c) { c.rods = 2; }), {0.55, 0.025});
   CHECK(second == as_second);
   // Two changes at once: the later waits for the crossfade of the earlier to end, and wins.
   const auto twice = [](double t) {
-    ToolControls c;
+    ToolInput c;
     c.rods = t < 0.06 ? 1 : t < 0.07 ? 2 : 3;
     return c;
   };
@@ -101,7 +103,7 @@ TEST_CASE("a layer left alone falls silent with exact zeros, its equaliser too")
   ToolModel model = plain_model();
   model.voicing.equaliser = {{200, 12, 8}, {2000, -4, 1.4}};
   ToolLayer layer(model, kRate, 1, 0);
-  const auto sound = struck(layer, {kRate, 3.0, 0.01}, from(1e9, [](ToolControls&) {}));
+  const auto sound = struck(layer, {kRate, 3.0, 0.01}, from(1e9, [](ToolInput&) {}));
   for (const double x : after(sound, 2.0)) CHECK(x == 0);
 }
 
@@ -109,7 +111,7 @@ TEST_CASE("the layer repeats itself bit for bit, differs between booms, and neve
   ToolModel model;
   model.rods = {{3, {0.7, 0.03}}};
   model.voicing.equaliser = {{2000, -4, 1.4}};
-  const auto controls = from(0.2, [](ToolControls& c) { c.rods = 3; });
+  const auto controls = from(0.2, [](ToolInput& c) { c.rods = 3; });
   ToolLayer first(model, kRate, 9, 0), again(model, kRate, 9, 0), other(model, kRate, 9, 1);
   ToolLayer narrow(model, kRate, 9, 0, LaneWidth::kTwo);
   const Blows blows{kRate, 0.5, 0.01, 0.03};
@@ -121,9 +123,9 @@ TEST_CASE("the layer repeats itself bit for bit, differs between booms, and neve
   const long before = allocations();
   for (int chunk = 0; chunk < 500; ++chunk) {
     const Impact blow{1.5, 1, static_cast<std::uint64_t>(chunk)};
-    ToolControls c;
+    ToolInput c;
     c.rods = chunk > 250 ? 1 : 3;
-    first.process(&blow, chunk % 40 == 0, c, out);
+    first.process(c, {&blow, chunk % 40 == 0}, out);
   }
   CHECK(allocations() == before);
 }

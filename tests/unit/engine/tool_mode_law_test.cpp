@@ -1,5 +1,5 @@
 // Target modes against exact free-free Timoshenko, Rayleigh-Love, and three-dimensional elasticity.
-#include "tool/mode_law.hpp"
+#include "tool/design/mode_law.hpp"
 
 #include <doctest/doctest.h>
 

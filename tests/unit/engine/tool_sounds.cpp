@@ -23,8 +23,8 @@ ToolModel plain_model(const Bar& bar) {
 ToolModel long_ringing_model() {
   ToolModel model = plain_model();
   model.strike.width_s = 0.001;
-  model.transversal.k_min = 0.998, model.transversal.k_max = 0.999;
-  model.longitudinal.k_min = model.longitudinal.k_max = 0.999;
+  model.transversal.reflection_min = 0.998, model.transversal.reflection_max = 0.999;
+  model.longitudinal.reflection_min = model.longitudinal.reflection_max = 0.999;
   model.rods = {{2, {model.bar.length_m + 0.05, model.bar.diameter_m}}};
   return model;
 }
@@ -55,7 +55,7 @@ std::vector<double> impulse_response(const ToolDesign& design, Family family, do
 }
 
 std::vector<double> struck(ToolLayer& layer, const Blows& blows,
-                           const std::function<ToolControls(double)>& controls) {
+                           const std::function<ToolInput(double)>& controls) {
   std::vector<double> sound;
   double next = blows.first_s * blows.rate;
   std::uint64_t index = 0;
@@ -65,9 +65,9 @@ std::vector<double> struck(ToolLayer& layer, const Blows& blows,
     if (next < start + kChunk)
       blow = {next - start, 1, index++}, count = 1, next += blows.period_s * blows.rate;
     double out[kChunk];
-    ToolControls c = controls(start / blows.rate);
+    ToolInput c = controls(start / blows.rate);
     c.period = blows.period_s * blows.rate;
-    layer.process(&blow, count, c, out);
+    layer.process(c, {&blow, count}, out);
     sound.insert(sound.end(), out, out + kChunk);
   }
   return sound;
@@ -77,7 +77,7 @@ std::vector<double> one_blow(const ToolModel& model, double rate) {
   ToolLayer layer(model, rate, 1, 0);
   Blows blows;
   blows.rate = rate;
-  return struck(layer, blows, [](double) { return ToolControls{}; });
+  return struck(layer, blows, [](double) { return ToolInput{}; });
 }
 
 }  // namespace rigsound::tests

@@ -39,7 +39,7 @@ struct Blows {
 
 /// The layer struck with even blows; `controls(t)` is asked once a chunk.
 std::vector<double> struck(tool::ToolLayer& layer, const Blows& blows,
-                           const std::function<tool::ToolControls(double)>& controls);
+                           const std::function<tool::ToolInput(double)>& controls);
 
 /// One blow on a new layer, nothing changed while it rings.
 std::vector<double> one_blow(const ToolModel& model, double rate);

@@ -28,15 +28,15 @@ TEST_CASE("a blow is a Hann pulse that begins between samples") {
   Strikes strikes(strike, 48000, 1, 0);
   const Impact blow{29.25, 2, 0};
   double x[2 * kChunk];
-  CHECK(strikes.process(&blow, 1, 2400, x));
-  CHECK(strikes.process(nullptr, 0, 2400, x + kChunk));
+  CHECK(strikes.process({&blow, 1}, 2400, x));
+  CHECK(strikes.process({}, 2400, x + kChunk));
   const double width = strike.width_s * 48000;
   for (int n = 0; n < 2 * kChunk; ++n) {
     const double t = n - 29.25;
     const double pulse = t >= 0 && t < width ? 1 - std::cos(2 * M_PI * t / width) : 0;
     CHECK(x[n] == doctest::Approx(pulse).epsilon(1e-12));
   }
-  CHECK_FALSE(strikes.process(nullptr, 0, 2400, x));
+  CHECK_FALSE(strikes.process({}, 2400, x));
 }
 
 TEST_CASE("bounces follow one another by 5 to 10 % of the period, each weaker than the last") {
@@ -49,7 +49,7 @@ TEST_CASE("bounces follow one another by 5 to 10 % of the period, each weaker th
     double x[kChunk], last = 0;
     for (int chunk = 0; chunk < 125; ++chunk) {
       const Impact impact{0, 1, blow};
-      strikes.process(&impact, chunk == 0, period, x);
+      strikes.process({&impact, chunk == 0}, period, x);
       for (const Touch& touch : strikes) {
         const double at = chunk * kChunk + touch.at;
         if (at > 0)
@@ -72,7 +72,7 @@ TEST_CASE("bounces follow one another by 5 to 10 % of the period, each weaker th
 
 TEST_CASE("k_T falls from where it is at each touch and rises after, never faster than its slopes") {
   LoopDesign loop;
-  loop.k_min = 0.83, loop.k_max = 0.89;
+  loop.reflection_min = 0.83, loop.reflection_max = 0.89;
   Strike strike = plain_strike();
   strike.bounces = 4;
   Strikes strikes(strike, 48000, 1, 0);
@@ -81,7 +81,7 @@ TEST_CASE("k_T falls from where it is at each touch and rises after, never faste
   for (int chunk = 0; chunk < 400; ++chunk) {
     const Impact blow{7.5, 1, static_cast<std::uint64_t>(chunk)};
     double x[kChunk], k_T[kChunk];
-    strikes.process(&blow, chunk % 80 == 0, 2560, x);
+    strikes.process({&blow, chunk % 80 == 0}, 2560, x);
     contact.process(strikes, k_T);
     for (const double k : k_T) {
       CHECK(k - before <= 0.06 / (0.010 * 48000) + 1e-12);

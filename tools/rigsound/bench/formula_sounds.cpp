@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include "dsp/random.hpp"
-#include "rigsound/default_background.hpp"
+#include "rigsound/default_diesel.hpp"
+#include "rigsound/dsp/random.hpp"
 
 namespace rigsound::tools {
 namespace {
@@ -34,18 +34,17 @@ ClickBank bank(Situation situation, double sample_rate) {
   ClickBank b;
   b.name = std::string(name(situation));
   b.sample_rate = sample_rate;
-  b.T_0 = sample_rate / recipe.rate_hz;
-  b.sigma_T = 0.05 * b.T_0;
-  b.B = recipe.level;
-  b.sigma_B = 0.2 * b.B;
-  b.r_B = 0.3;
-  b.p_miss = situation == Situation::kUnderfeed ? 0.12 : 0.01;
-  b.N_a = 20;
-  b.alpha_d = 1 / (recipe.decay_s * sample_rate);
+  b.mean_gap_samples = sample_rate / recipe.rate_hz;
+  b.gap_deviation_samples = 0.05 * b.mean_gap_samples;
+  b.mean_amplitude = recipe.level;
+  b.amplitude_deviation = 0.2 * b.mean_amplitude;
+  b.amplitude_correlation = 0.3;
+  b.miss_share = situation == Situation::kUnderfeed ? 0.12 : 0.01;
+  b.attack_samples = 20;
+  b.decay = 1 / (recipe.decay_s * sample_rate);
   const dsp::RandomField random(7, 100 + s);
   for (std::size_t click = 0; click < 10; ++click)
-    b.clicks.push_back(
-        noise_burst(random, click, dsp::exp(-b.alpha_d), static_cast<int>(0.08 * sample_rate)));
+    b.clicks.push_back(noise_burst(random, click, dsp::exp(-b.decay), static_cast<int>(0.08 * sample_rate)));
   return b;
 }
 
@@ -61,7 +60,7 @@ SoundSet formula_sounds(double sample_rate) {
   ToolModel tool;
   tool.name = "steel";
   sounds.tools.push_back(tool);
-  sounds.backgrounds.push_back(default_background());
+  sounds.diesels.push_back(default_diesel());
   return sounds;
 }
 

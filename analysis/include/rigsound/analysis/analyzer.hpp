@@ -40,9 +40,9 @@ struct Part {
 
 struct AnalysedPart {
   Part part;
-  bool kept = false;  ///< was there already, from the same sound and settings
-  double T_0 = 0;     ///< samples at 48 kHz
-  int clicks = 0;     ///< in the bank
+  bool kept = false;            ///< was there already, from the same sound and settings
+  double mean_gap_samples = 0;  ///< samples at 48 kHz
+  int clicks = 0;               ///< in the bank
   BankFigures figures;
   std::vector<std::string> warnings;
 };

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "rigsound/background_model.hpp"
+#include "rigsound/diesel_model.hpp"
 
 namespace rigsound::analysis {
 
@@ -22,9 +22,9 @@ struct EngineTake {
 
 struct BackgroundSettings {
   std::string name;
-  double f_x = 0;  ///< Hz, 200...800; 0: where slots or grains take over best
-  int order = 0;   ///< of A(z), 32...128; 0: by the bandwidth of the recordings
-  int grains = 0;  ///< cycles kept per point for the high layer, 0: slots; clean recordings only
+  double crossover_hz = 0;  ///< Hz, 200...800; 0: where slots or grains take over best
+  int order = 0;            ///< of A(z), 32...128; 0: by the bandwidth of the recordings
+  int grains = 0;           ///< cycles kept per point for the high layer, 0: slots; clean recordings only
 };
 
 /// What was heard of one point.
@@ -37,7 +37,7 @@ struct LearnedPoint {
 };
 
 struct LearnedBackground {
-  BackgroundModel model;
+  DieselModel model;
   std::vector<LearnedPoint> points;
   std::vector<std::string> warnings;  ///< one line each
 };
@@ -49,10 +49,10 @@ LearnedBackground learn_background(const std::vector<EngineTake>& takes, const B
 
 /// What `model` sounds like at a speed and load, through the engine's own voice. `rpm`: r/min at every sample
 /// of kAnalysisRate. Thread: OFF.
-std::vector<float> play_background(const BackgroundModel& model, const std::vector<double>& rpm, double load,
+std::vector<float> play_background(const DieselModel& model, const std::vector<double>& rpm, double load,
                                    double feed, unsigned seed);
 
 /// 4-byte numbers a model is made of, grains and one-shots left out. Thread: OFF.
-std::size_t parameter_count(const BackgroundModel& model);
+std::size_t parameter_count(const DieselModel& model);
 
 }  // namespace rigsound::analysis

@@ -12,6 +12,6 @@ namespace rigsound::analysis {
 /// cycle in octaves (right); recorded and modelled. Without takes only the model. Errors: DeviceError.
 /// Thread: OFF.
 void write_background_plot(const std::filesystem::path& file, const std::vector<EngineTake>& takes,
-                           const BackgroundModel& model);
+                           const DieselModel& model);
 
 }  // namespace rigsound::analysis

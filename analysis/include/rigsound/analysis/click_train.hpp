@@ -7,9 +7,9 @@ namespace rigsound::analysis {
 
 /// The attack/decay envelope of one click (drilling paper, eq. 5 and 6), in samples at 48 kHz.
 struct ClickEnvelope {
-  double N_a = 0;      ///< attack, samples
-  double alpha_a = 0;  ///< attack bend, 1/sample
-  double alpha_d = 0;  ///< decay, 1/sample
+  double attack_samples = 0;  ///< N_a: attack
+  double attack_bend = 0;     ///< alpha_a: attack bend, 1/sample
+  double decay = 0;           ///< alpha_d: decay, 1/sample
 };
 
 struct ClickTrain {
@@ -17,7 +17,7 @@ struct ClickTrain {
   std::vector<double> beta;  ///< amplitude of each click as heard through the whitening, scaled so that
                              ///< the train's energy is the drilling's (full scale 1); same length as P
   ClickEnvelope envelope;
-  double T_0 = 0;  ///< period the detector settled on, samples
+  double mean_gap_samples = 0;  ///< period the detector settled on, samples
 };
 
 }  // namespace rigsound::analysis

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rigsound/click_bank.hpp"
-#include "rigsound/machine_state.hpp"
+#include "rigsound/machine/machine_state.hpp"
 
 namespace rigsound::analysis {
 

@@ -4,14 +4,14 @@
 
 #include <filesystem>
 
-#include "rigsound/background_model.hpp"
+#include "rigsound/diesel_model.hpp"
 
 namespace rigsound::config {
 
 /// Writes SET/backgrounds/NAME; the folder is whole or absent. Errors: InputError, DeviceError. Thread: OFF.
-void save_background(const std::filesystem::path& sound_set, const BackgroundModel& background);
+void save_background(const std::filesystem::path& sound_set, const DieselModel& background);
 
 /// Reads a folder SET/backgrounds/NAME, every value and shape checked. Errors: InputError. Thread: OFF.
-BackgroundModel load_background(const std::filesystem::path& folder);
+DieselModel load_background(const std::filesystem::path& folder);
 
 }  // namespace rigsound::config

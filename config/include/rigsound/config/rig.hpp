@@ -9,8 +9,8 @@
 #include "rigsound/audio/audio_options.hpp"
 #include "rigsound/can/can_options.hpp"
 #include "rigsound/engine.hpp"
+#include "rigsound/machine/signal_board.hpp"
 #include "rigsound/modbus/modbus_options.hpp"
-#include "rigsound/signal_board.hpp"
 
 namespace rigsound::config {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rigsound/situation.hpp"
+#include "rigsound/machine/situation.hpp"
 
 namespace rigsound::config {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rigsound/can/signal_layout.hpp"
-#include "rigsound/signal.hpp"
+#include "rigsound/machine/signal.hpp"
 
 namespace rigsound::can {
 

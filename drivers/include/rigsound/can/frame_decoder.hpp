@@ -5,7 +5,7 @@
 
 #include "rigsound/can/can_options.hpp"
 #include "rigsound/can/frame.hpp"
-#include "rigsound/signal_board.hpp"
+#include "rigsound/machine/signal_board.hpp"
 
 namespace rigsound::can {
 

@@ -6,7 +6,7 @@
 
 #include "rigsound/can/frame.hpp"
 #include "rigsound/can/signal_layout.hpp"
-#include "rigsound/signal.hpp"
+#include "rigsound/machine/signal.hpp"
 
 namespace rigsound::can {
 

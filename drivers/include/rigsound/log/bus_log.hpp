@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "rigsound/can/can_options.hpp"
+#include "rigsound/machine/signal_board.hpp"
 #include "rigsound/modbus/modbus_options.hpp"
-#include "rigsound/signal_board.hpp"
 
 namespace rigsound::log {
 

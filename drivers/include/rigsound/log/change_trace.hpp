@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "rigsound/log/bus_log.hpp"
-#include "rigsound/signal_board.hpp"
+#include "rigsound/machine/signal_board.hpp"
 
 namespace rigsound::log {
 

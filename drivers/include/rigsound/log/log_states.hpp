@@ -3,7 +3,7 @@
 
 #include "rigsound/audio/block_loop.hpp"
 #include "rigsound/log/bus_log.hpp"
-#include "rigsound/signal_board.hpp"
+#include "rigsound/machine/signal_board.hpp"
 
 namespace rigsound::log {
 

@@ -8,7 +8,7 @@
 
 #include "rigsound/audio/audio_options.hpp"
 #include "rigsound/file/file_descriptor.hpp"
-#include "rigsound/machine_state.hpp"
+#include "rigsound/machine/machine_state.hpp"
 
 namespace rigsound::log {
 

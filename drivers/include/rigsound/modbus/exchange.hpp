@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "rigsound/machine/signal.hpp"
+#include "rigsound/machine/signal_board.hpp"
 #include "rigsound/modbus/modbus_options.hpp"
-#include "rigsound/signal.hpp"
-#include "rigsound/signal_board.hpp"
 
 namespace rigsound::modbus {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rigsound/signal.hpp"
+#include "rigsound/machine/signal.hpp"
 
 namespace rigsound::modbus {
 

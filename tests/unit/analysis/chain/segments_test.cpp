@@ -16,7 +16,7 @@ namespace {
 ChainResult perfect(const Segment& segment, long period, long error) {
   ChainResult result;
   result.drilling_found = true;
-  result.clicks.T_0 = double(period);
+  result.clicks.mean_gap_samples = double(period);
   result.clicks.envelope = {40, 0, 0.001};
   for (long P = 500; P < segment.end; P += period)
     if (P >= segment.begin)

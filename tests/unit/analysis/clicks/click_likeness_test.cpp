@@ -26,7 +26,7 @@ PowerSpectrogram clicks_in_background(Spectrum spectrum) {
 
 ClickTrain train() {
   ClickTrain clicks;
-  clicks.T_0 = kGap * 128;
+  clicks.mean_gap_samples = kGap * 128;
   for (int click = 0; click < kClicks; ++click) {
     clicks.P.push_back((click + 1) * kGap * 128);
     clicks.beta.push_back(1);

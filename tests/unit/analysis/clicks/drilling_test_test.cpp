@@ -17,8 +17,8 @@ namespace {
 DrillingEvidence drill() {
   DrillingEvidence e;
   for (int i = 0; i < 60; ++i) e.clicks.P.push_back(1600 * i);
-  e.clicks.T_0 = 1600;
-  e.clicks.envelope.N_a = 50;
+  e.clicks.mean_gap_samples = 1600;
+  e.clicks.envelope.attack_samples = 50;
   e.total = 150;
   e.surplus = 120;
   e.fast_total = 1;
@@ -41,16 +41,17 @@ bool refused(const std::function<void(DrillingEvidence&)>& change) { return !rea
 
 TEST_CASE("a drill is a drill, from 8 to 80 blows a second") {
   CHECK(!refused([](DrillingEvidence&) {}));
-  CHECK(!refused([](DrillingEvidence& e) { e.clicks.T_0 = 48000 / 8.2; }));
-  CHECK(!refused([](DrillingEvidence& e) { e.clicks.T_0 = 48000 / 80.0; }));
+  CHECK(!refused([](DrillingEvidence& e) { e.clicks.mean_gap_samples = 48000 / 8.2; }));
+  CHECK(!refused([](DrillingEvidence& e) { e.clicks.mean_gap_samples = 48000 / 80.0; }));
 }
 
 TEST_CASE("each figure alone is reason enough when it is far out") {
   CHECK(reason_after([](DrillingEvidence& e) { e.clicks.P.resize(5); }) == "5 clicks, expected 6 or more");
-  CHECK(reason_after([](DrillingEvidence& e) { e.clicks.T_0 = 48000 / 6.0; }) ==
+  CHECK(reason_after([](DrillingEvidence& e) { e.clicks.mean_gap_samples = 48000 / 6.0; }) ==
         "6.0 clicks a second are slow");
-  CHECK(reason_after([](DrillingEvidence& e) { e.clicks.envelope.N_a = 480, e.likeness.rise = 1; }) ==
-        "it swells in 10.0 ms instead of striking");
+  CHECK(reason_after([](DrillingEvidence& e) {
+          e.clicks.envelope.attack_samples = 480, e.likeness.rise = 1;
+        }) == "it swells in 10.0 ms instead of striking");
   CHECK(reason_after([](DrillingEvidence& e) { e.surplus = 6; }) == "its clicks are 0.1 above chance");
   CHECK(reason_after([](DrillingEvidence& e) { e.fast_total = 180; }) ==
         "it pulses faster than 100 Hz, like a voice or a tone");
@@ -66,9 +67,10 @@ TEST_CASE("each figure alone is reason enough when it is far out") {
 }
 
 TEST_CASE("a steep rise or a long period excuses a long attack") {
-  CHECK(refused([](DrillingEvidence& e) { e.clicks.envelope.N_a = 350, e.likeness.rise = 1; }));
-  CHECK(!refused([](DrillingEvidence& e) { e.clicks.envelope.N_a = 350, e.likeness.rise = 2.9; }));
-  CHECK(!refused([](DrillingEvidence& e) { e.clicks.envelope.N_a = 350, e.clicks.T_0 = 3500; }));
+  CHECK(refused([](DrillingEvidence& e) { e.clicks.envelope.attack_samples = 350, e.likeness.rise = 1; }));
+  CHECK(!refused([](DrillingEvidence& e) { e.clicks.envelope.attack_samples = 350, e.likeness.rise = 2.9; }));
+  CHECK(!refused(
+      [](DrillingEvidence& e) { e.clicks.envelope.attack_samples = 350, e.clicks.mean_gap_samples = 3500; }));
 }
 
 TEST_CASE("objections add up, and the reason names those that count") {

@@ -80,7 +80,7 @@ TEST_CASE("flatness is least near the envelope that made the clicks") {
 
 TEST_CASE("the paper's chain finds every click, all early by about the same few milliseconds") {
   const ClickTrain train = paper_clicks(white_clicks(74));
-  CHECK(train.T_0 == doctest::Approx(kPeriod).epsilon(0.03));
+  CHECK(train.mean_gap_samples == doctest::Approx(kPeriod).epsilon(0.03));
   std::vector<long> early;
   for (const long P : onsets())
     for (const int candidate : train.P)

@@ -86,7 +86,7 @@ TEST_CASE("strikes are mostly told from denser clutter, which any short period w
     for (int t = 100; t < 6000; t += kStrikes) candidates.z(t) = 11 + 3 * noise.uniform();
     for (int t = 0; t < 6000; ++t)
       if (candidates.z(t) > 0) candidates.block.push_back(t);
-    if (std::abs(select_clicks(candidates, kDrillingRates).T_0 - kStrikes) < 10) ++found;
+    if (std::abs(select_clicks(candidates, kDrillingRates).mean_gap_blocks - kStrikes) < 10) ++found;
   }
   CHECK(found >= 12);  // of 20
 }

@@ -181,7 +181,7 @@ TEST_CASE("the fit finds the envelope all clicks share") {
   const Eigen::ArrayXd q = noisy_blocks(spread(clicks, truth, 8, 12000), 8, noise);
   ClickEnvelope envelope = first_envelope(q, clicks.onset, 1600, 8);
   fit_envelope(q, 1600, {8, 200, 3}, envelope, clicks);
-  CHECK(envelope.alpha_d == doctest::Approx(0.0018).epsilon(0.05));
-  CHECK(envelope.N_a > 35);
-  CHECK(envelope.N_a < 100);
+  CHECK(envelope.decay == doctest::Approx(0.0018).epsilon(0.05));
+  CHECK(envelope.attack_samples > 35);
+  CHECK(envelope.attack_samples < 100);
 }

@@ -31,7 +31,7 @@ ClickTrain regular_train() {
   ClickTrain train;
   for (int P = 900; P < 46000; P += 2000) train.P.push_back(P), train.beta.push_back(1);
   train.envelope = {40, 0, 2.5 / 2000};
-  train.T_0 = 2000;
+  train.mean_gap_samples = 2000;
   return train;
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "rigsound/can/signal_reading.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "temporary_folder.hpp"
 
 using namespace rigsound;

@@ -5,7 +5,7 @@
 #include <regex>
 #include <sstream>
 
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "temporary_folder.hpp"
 
 using namespace rigsound;
@@ -75,7 +75,7 @@ TEST_CASE("the shortest rig has the defaults that demo.toml shows") {
   CHECK(demo.engine.scene.idle_rpm == shortest.engine.scene.idle_rpm);
   CHECK(demo.engine.mix.drill_db == shortest.engine.mix.drill_db);
   CHECK(demo.engine.mix.tool_db == shortest.engine.mix.tool_db);
-  CHECK(demo.engine.mix.background_db == shortest.engine.mix.background_db);
+  CHECK(demo.engine.mix.diesel_db == shortest.engine.mix.diesel_db);
   CHECK(demo.engine.mix.ceiling_dbfs == shortest.engine.mix.ceiling_dbfs);
   CHECK(demo.safety.fade_s == shortest.safety.fade_s);
   for (int i = 0; i < kSignalCount; ++i)

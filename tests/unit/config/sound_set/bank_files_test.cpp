@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "config/sound_set/example_bank.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "temporary_folder.hpp"
 
 using namespace rigsound;
@@ -34,11 +34,11 @@ TEST_CASE("a bank comes back from disk as it was saved") {
   const config::StoredBank stored = config::load_bank(set.path / "banks/normal-1");
   CHECK(stored.bank.name == "normal-1");
   CHECK(stored.bank.sample_rate == 44100);
-  CHECK(stored.bank.T_0 == bank.T_0);
-  CHECK(stored.bank.sigma_T == bank.sigma_T);
-  CHECK(stored.bank.r_T == bank.r_T);
-  CHECK(stored.bank.B == bank.B);
-  CHECK(stored.bank.alpha_d == bank.alpha_d);
+  CHECK(stored.bank.mean_gap_samples == bank.mean_gap_samples);
+  CHECK(stored.bank.gap_deviation_samples == bank.gap_deviation_samples);
+  CHECK(stored.bank.gap_correlation == bank.gap_correlation);
+  CHECK(stored.bank.mean_amplitude == bank.mean_amplitude);
+  CHECK(stored.bank.decay == bank.decay);
   CHECK(stored.bank.gain_db == bank.gain_db);
   CHECK(stored.bank.clicks == bank.clicks);
   CHECK(stored.provenance.source_file == kProvenance.source_file);
@@ -77,7 +77,7 @@ TEST_CASE("saving over a bank replaces it whole, and a refused one leaves the ol
   config::save_bank(set.path, example_bank("x"), kProvenance);
   config::save_bank(set.path, example_bank("x", 48000, 9), kProvenance);
   ClickBank wrong = example_bank("x", 48000, 2);
-  wrong.sigma_T = std::numeric_limits<double>::quiet_NaN();
+  wrong.gap_deviation_samples = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(config::save_bank(set.path, wrong, kProvenance), InputError);
   CHECK(config::load_bank(set.path / "banks/x").bank.clicks.size() == 9);
   CHECK(std::distance(fs::directory_iterator(set.path / "banks"), {}) == 1);
@@ -160,13 +160,13 @@ TEST_CASE("a WAV without cue points, with NaN or with silence is refused") {
 TEST_CASE("a bank at another rate keeps its times in seconds and its waveform") {
   const ClickBank low = example_bank("x", 44100), high = example_bank("x", 96000);
   const ClickBank made = config::resampled(low, 96000);
-  CHECK(made.T_0 == doctest::Approx(high.T_0));
-  CHECK(made.sigma_T == doctest::Approx(high.sigma_T));
-  CHECK(made.N_a == doctest::Approx(high.N_a));
-  CHECK(made.alpha_a == doctest::Approx(high.alpha_a));
-  CHECK(made.alpha_d == doctest::Approx(high.alpha_d));
-  CHECK(made.B == doctest::Approx(low.B * std::sqrt(96000.0 / 44100.0)));
-  CHECK(made.r_T == low.r_T);
+  CHECK(made.mean_gap_samples == doctest::Approx(high.mean_gap_samples));
+  CHECK(made.gap_deviation_samples == doctest::Approx(high.gap_deviation_samples));
+  CHECK(made.attack_samples == doctest::Approx(high.attack_samples));
+  CHECK(made.attack_bend == doctest::Approx(high.attack_bend));
+  CHECK(made.decay == doctest::Approx(high.decay));
+  CHECK(made.mean_amplitude == doctest::Approx(low.mean_amplitude * std::sqrt(96000.0 / 44100.0)));
+  CHECK(made.gap_correlation == low.gap_correlation);
   REQUIRE(made.clicks.size() == high.clicks.size());
   for (std::size_t i = 0; i < made.clicks.size(); ++i) {
     double product = 0, energy = 0;  // correlation with the same damped sine computed at 96 kHz

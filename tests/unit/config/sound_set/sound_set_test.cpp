@@ -7,8 +7,8 @@
 #include "rigsound/config/bank_files.hpp"
 #include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/config/tool_files.hpp"
-#include "rigsound/default_background.hpp"
-#include "rigsound/input_error.hpp"
+#include "rigsound/default_diesel.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "temporary_folder.hpp"
 
 using namespace rigsound;
@@ -65,7 +65,7 @@ TEST_CASE("a sound set loads at the engine's rate, each bank once, its trims add
   tool.name = "hex25";
   tool.bar.length_m = 0.45;
   config::save_tool(set.path, tool);
-  BackgroundModel diesel = default_background();
+  DieselModel diesel = default_diesel();
   diesel.name = "diesel";
   config::save_background(set.path, diesel);
   index.tools = {"hex25"};
@@ -75,7 +75,7 @@ TEST_CASE("a sound set loads at the engine's rate, each bank once, its trims add
   const SoundSet loaded = config::load_sound_set(set.path, 48000);
   REQUIRE(loaded.banks.size() == 2);
   CHECK(loaded.banks[0].sample_rate == 48000);
-  CHECK(loaded.banks[0].T_0 == doctest::Approx(1600));
+  CHECK(loaded.banks[0].mean_gap_samples == doctest::Approx(1600));
   CHECK(loaded.banks[1].gain_db == -6.5);
   REQUIRE(loaded.uses.size() == 6);
   CHECK(loaded.uses[4].situation == Situation::kOpenRattling);
@@ -86,8 +86,8 @@ TEST_CASE("a sound set loads at the engine's rate, each bank once, its trims add
   CHECK(loaded.rocks == std::vector<std::string>{"granite", "limestone"});
   REQUIRE(loaded.tools.size() == 1);
   CHECK(loaded.tools[0].bar.length_m == 0.45);
-  REQUIRE(loaded.backgrounds.size() == 1);
-  CHECK(loaded.backgrounds[0].name == "diesel");
+  REQUIRE(loaded.diesels.size() == 1);
+  CHECK(loaded.diesels[0].name == "diesel");
 }
 
 TEST_CASE("a sound set that cannot be played says what is wrong and where") {

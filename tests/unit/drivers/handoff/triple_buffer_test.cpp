@@ -4,7 +4,7 @@
 
 #include <thread>
 
-#include "rigsound/machine_state.hpp"
+#include "rigsound/machine/machine_state.hpp"
 
 using namespace rigsound;
 

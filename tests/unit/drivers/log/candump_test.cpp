@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "rigsound/input_error.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "temporary_folder.hpp"
 
 using namespace rigsound;

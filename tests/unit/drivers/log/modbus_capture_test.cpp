@@ -10,9 +10,9 @@
 
 #include "drivers/modbus/link_harness.hpp"
 #include "log/modbus_conversation.hpp"
-#include "rigsound/input_error.hpp"
 #include "rigsound/log/modbus_capture_writer.hpp"
 #include "rigsound/log/modbus_log.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 using namespace rigsound;
 using namespace rigsound::log;

@@ -11,8 +11,8 @@
 
 #include "log/state_words.hpp"
 #include "rigsound/device_error.hpp"
-#include "rigsound/input_error.hpp"
 #include "rigsound/log/session_states.hpp"
+#include "rigsound/machine/input_error.hpp"
 
 using namespace rigsound;
 using namespace rigsound::log;

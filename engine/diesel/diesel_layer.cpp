@@ -1,0 +1,180 @@
+#include "diesel/diesel_layer.hpp"
+
+#include <algorithm>
+
+#include "diesel/crank.hpp"
+#include "diesel/high_layer.hpp"
+#include "diesel/hydraulic_voice.hpp"
+#include "diesel/low_layer.hpp"
+#include "diesel/start_stop.hpp"
+#include "rigsound/dsp/butterworth.hpp"
+#include "rigsound/dsp/interpolation_kernel.hpp"
+#include "rigsound/dsp/linear_prediction.hpp"
+#include "rigsound/machine/rpm_tracker.hpp"
+
+namespace rigsound::diesel {
+namespace {
+
+constexpr int kTaps = 16, kPhases = 256;
+constexpr double kBeta = 8;
+constexpr int kMaxSpan = 512;       // angle samples a chunk reaches over at 4000 r/min and 32 kHz
+constexpr double kMaxSlope = 6000;  // r/min a second; no flywheel is faster
+constexpr double kOverdue = 1.5;    // message intervals after which silence means "unchanged"
+constexpr double kLowest_rpm = 1;
+
+const DieselModel& checked(const DieselModel& model) {
+  require_valid(model);
+  return model;
+}
+
+bool one_load(const DieselModel& model) {
+  return std::all_of(model.points.begin(), model.points.end(),
+                     [&](const DieselPoint& p) { return p.load == model.points.front().load; });
+}
+
+}  // namespace
+
+class DieselLayer::Voice {
+ public:
+  Voice(DieselModel model, double sample_rate, std::uint64_t seed, double idle_rpm)
+      : model_(std::move(model)),
+        sample_rate_(sample_rate),
+        load_slope_db_(one_load(checked(model_)) ? model_.load_slope_db : 0.0),
+        grid_(model_, sample_rate),
+        kernel_(kTaps, kPhases, kBeta),
+        high_(model_, sample_rate, seed),
+        low_(model_, seed),
+        body_(dsp::all_pole_at_rate({model_.body_filter.begin(), model_.body_filter.end()},
+                                    model_.sample_rate, sample_rate)),
+        over_(dsp::Pass::kHigh, model_.crossover_hz, sample_rate),
+        under_(dsp::Pass::kLow, model_.crossover_hz, sample_rate),
+        tones_(model_.oscillators, sample_rate, seed, 46),
+        hydraulic_(model_, sample_rate, seed),
+        start_stop_(model_, sample_rate, idle_rpm) {}
+
+  void process(const DieselInput& input, double* out) noexcept;
+
+ private:
+  void follow(double rpm) noexcept;
+  void engine(double* out) noexcept;
+  void table_segment(const AngleSpan& span, int count, double* out) noexcept;
+
+  DieselModel model_;
+  double sample_rate_, load_slope_db_;
+  OperatingGrid grid_;
+  dsp::InterpolationKernel kernel_;
+  HighLayer high_;
+  LowLayer low_;
+  dsp::AllPole body_;
+  dsp::Butterworth6 over_, under_;
+  ToneBank tones_;
+  HydraulicVoice hydraulic_;
+  StartStop start_stop_;
+  RpmTracker tracker_;
+  Crank crank_;
+  OperatingPoint at_;
+  GridPlace before_;
+  double message_rpm_ = 0, rpm_from_ = 0, rpm_to_ = 0;
+  dsp::Ramp load_gain_{1, 1};
+  std::int64_t chunk_ = 0;
+  AngleSpan fine_, coarse_;
+};
+
+/// The bus only says the newest value: a change is a message, and so is a silence longer than usual.
+void DieselLayer::Voice::follow(double rpm) noexcept {
+  const double now = static_cast<double>(chunk_) * kChunk / sample_rate_;
+  const bool overdue = now - tracker_.last_time() > kOverdue * tracker_.interval();
+  if (rpm != message_rpm_ || overdue) tracker_.message(now, rpm);
+  message_rpm_ = rpm;
+  ++chunk_;
+  const double step = kMaxSlope * kChunk / sample_rate_;
+  const double wanted = std::min(tracker_.at(now + kChunk / sample_rate_), 4000.0);
+  rpm_from_ = rpm_to_;
+  rpm_to_ = std::clamp(wanted, rpm_from_ - step, rpm_from_ + step);
+  if (rpm == 0 && rpm_to_ < kLowest_rpm) rpm_to_ = 0;
+}
+
+void DieselLayer::Voice::table_segment(const AngleSpan& span, int count, double* out) noexcept {
+  const auto mixed = [&](const GridPlace& place, double* y) {
+    const int N = model_.angle_samples;
+    int from = static_cast<int>((span.base + kernel_.first() + N) % N), done = 0;
+    while (done < count) {
+      const int run = std::min(count - done, N - from);
+      grid_.mix(place, &OperatingState::table, from, run, y + done);
+      done += run, from = 0;
+    }
+  };
+  mixed(at_.place, out);
+  if (before_.index == at_.place.index && before_.weight == at_.place.weight) return;
+  // From the place of the last chunk to this one sample by sample: a change at once would buzz.
+  std::array<double, kMaxSpan> old;
+  mixed(before_, old.data());
+  for (int i = 0; i < count; ++i)
+    out[i] = old[static_cast<std::size_t>(i)] + (out[i] - old[static_cast<std::size_t>(i)]) * (i + 1) / count;
+}
+
+void DieselLayer::Voice::engine(double* out) noexcept {
+  crank_.turn(cycles_per_second(rpm_from_), cycles_per_second(rpm_to_), sample_rate_);
+  crank_.span(model_.angle_samples, fine_);
+  crank_.span(model_.low_channels, coarse_);
+  const int fine_count = fine_.count + kTaps, coarse_count = coarse_.count + kTaps;
+  high_.produce(fine_.base + kernel_.first() + fine_count, grid_, at_);
+  low_.produce(coarse_.base + kernel_.first() + coarse_count, grid_, at_.place);
+
+  std::array<double, kMaxSpan> table, high, low;
+  table_segment(fine_, fine_count, table.data());
+  high_.ring().read(fine_.base + kernel_.first(), fine_count, high.data());
+  low_.ring().read(coarse_.base + kernel_.first(), coarse_count, low.data());
+
+  std::array<double, kTaps> w;
+  std::array<double, kChunk> rough;
+  for (std::size_t n = 0; n < kChunk; ++n) {
+    kernel_.weights(fine_.fraction[n], w.data());
+    out[n] = dsp::dot(w.data(), table.data() + fine_.offset[n], kTaps);
+    rough[n] = dsp::dot(w.data(), high.data() + fine_.offset[n], kTaps);
+  }
+  body_.process(rough.data(), kChunk);
+  for (std::size_t n = 0; n < kChunk; ++n) {
+    kernel_.weights(coarse_.fraction[n], w.data());
+    const double soft = dsp::dot(w.data(), low.data() + coarse_.offset[n], kTaps);
+    out[n] += under_.process(soft) + over_.process(rough[n]);
+  }
+}
+
+void DieselLayer::Voice::process(const DieselInput& input, double* out) noexcept {
+  std::fill(out, out + kChunk, 0.0);
+  follow(input.rpm);
+  double shot[kChunk] = {};
+  start_stop_.advance(rpm_to_, shot);
+  if (start_stop_.silent()) return;
+
+  const double rpm = 0.5 * (rpm_from_ + rpm_to_);
+  before_ = at_.place;
+  at_ = {grid_.place(rpm, input.load), rpm, input.load};
+  engine(out);
+  tones_.add(cycles_per_second(rpm), {1, 1}, out);
+  load_gain_.go_to(load_slope_db_ == 0
+                       ? 1.0
+                       : dsp::gain_of_db(load_slope_db_ * (input.load - model_.points.front().load)));
+  dsp::scale(start_stop_.gain(), out, kChunk);
+  if (!load_gain_.rests_at(1)) dsp::scale(load_gain_, out, kChunk);
+  hydraulic_.add(cycles_per_second(rpm), input.feed, start_stop_.gain().to, out);
+  for (int n = 0; n < kChunk; ++n) out[n] += shot[n];
+}
+
+DieselLayer::DieselLayer(const std::vector<DieselModel>& models, double sample_rate, std::uint64_t seed,
+                         double idle_rpm) {
+  if (!models.empty()) voice_ = std::make_unique<Voice>(models.front(), sample_rate, seed, idle_rpm);
+}
+DieselLayer::~DieselLayer() = default;
+DieselLayer::DieselLayer(DieselLayer&&) noexcept = default;
+DieselLayer& DieselLayer::operator=(DieselLayer&&) noexcept = default;
+
+void DieselLayer::process(const DieselInput& input, double* out) noexcept {
+  if (voice_)
+    voice_->process(input, out);
+  else
+    std::fill(out, out + kChunk, 0.0);
+}
+
+}  // namespace rigsound::diesel

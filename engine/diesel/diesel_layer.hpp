@@ -1,0 +1,34 @@
+// The diesel and its hydraulics: an engine that is never a loop.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "rigsound/diesel_model.hpp"
+#include "rigsound/diesel_player.hpp"
+#include "rigsound/machine/limits.hpp"
+
+namespace rigsound::diesel {
+
+/// Harmonic-band-wavelet voice in the crank-angle domain: order table + low layer + high layer behind the
+/// body filter + free oscillators + hydraulics + recorded start and stop.
+class DieselLayer {
+ public:
+  /// Plays the first of `models`; silent without one. `idle_rpm`: under half of it the engine is starting or
+  /// stopping. Throws std::invalid_argument when the model's shape is out of range. Thread: OFF.
+  DieselLayer(const std::vector<DieselModel>& models, double sample_rate, std::uint64_t seed,
+              double idle_rpm);
+  ~DieselLayer();
+  DieselLayer(DieselLayer&&) noexcept;
+  DieselLayer& operator=(DieselLayer&&) noexcept;
+
+  /// The next kChunk samples. Thread: RT.
+  void process(const DieselInput& controls, double* out) noexcept;
+
+ private:
+  class Voice;
+  std::unique_ptr<Voice> voice_;
+};
+
+}  // namespace rigsound::diesel

@@ -1,0 +1,37 @@
+#include "diesel/low_layer.hpp"
+
+namespace rigsound::diesel {
+
+LowLayer::LowLayer(const DieselModel& model, std::uint64_t seed)
+    : P_(model.low_channels),
+      rows_(model.low_scales + 1),
+      tree_(P_, model.low_scales, seed),
+      bank_(P_),
+      ring_(4 * P_),
+      deviation_(static_cast<std::size_t>(rows_ * P_)),
+      slice_(static_cast<std::size_t>(P_ / WaveletTree::kGroups)),
+      X_(static_cast<std::size_t>(P_)),
+      overlap_(X_.size()),
+      y_(X_.size()) {}
+
+void LowLayer::produce(std::int64_t end, const OperatingGrid& grid, const GridPlace& place) noexcept {
+  while (ring_.end() < end) {
+    grow(WaveletTree::kGroups, grid, place);
+    bank_.synthesise(X_.data(), overlap_.data(), y_.data());
+    ring_.push(y_.data(), P_);
+    groups_done_ = 0;
+  }
+  const std::int64_t played = P_ - (ring_.end() - end);  // of the hop that plays now
+  if (played > 0) grow(static_cast<int>(played * WaveletTree::kGroups / P_), grid, place);
+}
+
+void LowLayer::grow(int groups, const OperatingGrid& grid, const GridPlace& place) noexcept {
+  for (; groups_done_ < groups; ++groups_done_) {
+    if (groups_done_ == 0) grid.mix(place, &OperatingState::lo, 0, rows_ * P_, deviation_.data());
+    tree_.produce(groups_done_, deviation_.data(), slice_.data());
+    for (std::size_t i = 0; i < slice_.size(); ++i)
+      X_[static_cast<std::size_t>(groups_done_) + i * WaveletTree::kGroups] = slice_[i];
+  }
+}
+
+}  // namespace rigsound::diesel

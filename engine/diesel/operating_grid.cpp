@@ -1,0 +1,119 @@
+#include "diesel/operating_grid.hpp"
+
+#include <algorithm>
+
+#include "diesel/source_point.hpp"
+#include "rigsound/dsp/elementary.hpp"
+#include "rigsound/dsp/fft.hpp"
+
+namespace rigsound::diesel {
+namespace {
+
+constexpr int kPerOctave = 24;
+constexpr double kBelow = 0.5;                      // of the slowest point: there the grid begins
+constexpr double kTop_rpm = 4000;                   // to the top, so that no order ever folds over
+constexpr int kLoadSteps = 3;                       // between two loads of the model
+constexpr double kFadeFrom = 0.42, kFadeTo = 0.46;  // of the sampling rate: orders fade out before they fold
+
+std::vector<double> load_axis(const DieselModel& model) {
+  std::vector<double> known;
+  for (const DieselPoint& p : model.points) known.push_back(p.load);
+  std::sort(known.begin(), known.end());
+  known.erase(std::unique(known.begin(), known.end()), known.end());
+  std::vector<double> axis = {known.front()};
+  for (std::size_t i = 1; i < known.size(); ++i)
+    for (int step = 1; step <= kLoadSteps; ++step)
+      axis.push_back(known[i - 1] + (known[i] - known[i - 1]) * step / kLoadSteps);
+  return axis;
+}
+
+std::vector<float> exponentials(const std::vector<double>& logarithms) {
+  std::vector<float> y;
+  for (const double x : logarithms) y.push_back(static_cast<float>(dsp::exp(x)));
+  return y;
+}
+
+std::vector<float> order_table(const DieselModel& model, const SourcePoint& source, double f,
+                               double sample_rate, const dsp::Fft<double>& fft) {
+  std::vector<double> re(static_cast<std::size_t>(model.angle_samples)), im(re.size());
+  const std::size_t last = std::min(source.level.size(), re.size() / 2 - 1);
+  for (std::size_t k = 1; k <= last; ++k) {
+    const double f_k = static_cast<double>(k) * f;
+    const double fade = std::clamp((kFadeTo - f_k / sample_rate) / (kFadeTo - kFadeFrom), 0.0, 1.0);
+    if (fade == 0) break;
+    const double body = body_db(model.body, f_k) * (dsp::kLn10 / 20);
+    const double amplitude = fade * dsp::exp(source.level[k - 1] + body);
+    re[k] = amplitude * dsp::cos(source.phase[k - 1]);
+    im[k] = amplitude * dsp::sin(source.phase[k - 1]);
+  }
+  fft.inverse(re.data(), im.data());
+  return {re.begin(), re.end()};
+}
+
+OperatingState computed(const DieselModel& model, double rpm, double load, double sample_rate,
+                        const dsp::Fft<double>& fft) {
+  const SourcePoint source = source_at(model, rpm, load);
+  OperatingState state;
+  state.table = order_table(model, source, cycles_per_second(rpm), sample_rate, fft);
+  state.hi = exponentials(source.hi);
+  state.lo = exponentials(source.lo);
+  const std::size_t P = static_cast<std::size_t>(model.low_channels);
+  for (std::size_t i = 0; i < state.lo.size(); ++i) {
+    const double f = (static_cast<double>(i % P) + 0.5) / 2 * cycles_per_second(rpm);
+    state.lo[i] *= static_cast<float>(dsp::gain_of_db(body_db(model.body, f)));
+  }
+  state.s.assign(source.s.begin(), source.s.end());
+  state.rho = source.rho;
+  return state;
+}
+
+}  // namespace
+
+OperatingGrid::OperatingGrid(const DieselModel& model, double sample_rate) : loads_(load_axis(model)) {
+  double slowest = kTop_rpm;
+  for (const DieselPoint& p : model.points) slowest = std::min(slowest, p.rpm);
+  rpm_min_ = kBelow * slowest;
+  speeds_ = 1 + static_cast<int>(std::ceil(kPerOctave * dsp::log(kTop_rpm / rpm_min_) / dsp::kLn2));
+  const dsp::Fft<double> fft(model.angle_samples);
+  for (const double load : loads_)
+    for (int i = 0; i < speeds_; ++i)
+      states_.push_back(
+          computed(model, rpm_min_ * dsp::exp(dsp::kLn2 * i / kPerOctave), load, sample_rate, fft));
+}
+
+GridPlace OperatingGrid::place(double rpm, double load) const noexcept {
+  const double octaves = dsp::log(std::max(rpm, 1.0) / rpm_min_) / dsp::kLn2;
+  const double at = std::clamp(octaves * kPerOctave, 0.0, speeds_ - 1.0);
+  const int i = std::min(static_cast<int>(at), std::max(0, speeds_ - 2));
+  const double speed_way = at - i;
+  const int next = std::min(i + 1, speeds_ - 1);
+
+  std::size_t row = 0;
+  while (row + 2 < loads_.size() && loads_[row + 1] <= load) ++row;
+  const std::size_t upper = std::min(row + 1, loads_.size() - 1);
+  const double span = loads_[upper] - loads_[row];
+  const double load_way = span > 0 ? std::clamp((load - loads_[row]) / span, 0.0, 1.0) : 0.0;
+
+  const int a = static_cast<int>(row) * speeds_, b = static_cast<int>(upper) * speeds_;
+  return {{a + i, a + next, b + i, b + next},
+          {(1 - load_way) * (1 - speed_way), (1 - load_way) * speed_way, load_way * (1 - speed_way),
+           load_way * speed_way}};
+}
+
+void OperatingGrid::mix(const GridPlace& place, std::vector<float> OperatingState::*member, int first,
+                        int count, double* out) const noexcept {
+  std::fill(out, out + count, 0.0);
+  for (std::size_t n = 0; n < place.index.size(); ++n) {
+    if (place.weight[n] == 0) continue;
+    const float* values = (state(place.index[n]).*member).data() + first;
+    for (int i = 0; i < count; ++i) out[i] += place.weight[n] * static_cast<double>(values[i]);
+  }
+}
+
+double OperatingGrid::rho(const GridPlace& place) const noexcept {
+  double sum = 0;
+  for (std::size_t n = 0; n < place.index.size(); ++n) sum += place.weight[n] * state(place.index[n]).rho;
+  return sum;
+}
+
+}  // namespace rigsound::diesel

@@ -1,0 +1,32 @@
+// A background point freed from the body, in logarithms: the form in which points are joined.
+#pragma once
+
+#include <vector>
+
+#include "rigsound/diesel_model.hpp"
+
+namespace rigsound::diesel {
+
+/// E(f) at any frequency, dB. Held at its ends, tapered by 1 / (1 + (f / 1600 Hz)^8). Thread: OFF.
+double body_db(const BodyResponse& E, double f_hz);
+
+/// Order-domain parameters at one speed and load with the body taken off: S in
+/// 20 log |C_k| = S_k + E(k f). Joined as logarithms and wrapped phases; waveforms are never mixed.
+struct SourcePoint {
+  std::vector<double> level, phase;  ///< per order: ln |C_k|, arg C_k
+  std::vector<double> lo, hi;        ///< ln sqrt v_lo, ln sqrt v_hi
+  std::vector<double> s;             ///< sqrt s2
+  double rho = 0;
+};
+
+/// `point` without the body of `model`. Thread: OFF.
+SourcePoint source_of(const DieselModel& model, const DieselPoint& point);
+
+/// The way from `a` to `b`, 0...1. Thread: OFF.
+SourcePoint between(const SourcePoint& a, const SourcePoint& b, double way);
+
+/// The source at any speed and load: between the two nearest speeds (in logarithm) of the two nearest loads,
+/// held outside. Thread: OFF.
+SourcePoint source_at(const DieselModel& model, double rpm, double load);
+
+}  // namespace rigsound::diesel

@@ -1,0 +1,46 @@
+// How a control gets from one value to the next without a step: the only ramps of the engine.
+#pragma once
+
+#include <algorithm>
+
+#include "rigsound/dsp/elementary.hpp"
+
+namespace rigsound::dsp {
+
+/// A straight line over the `count` samples of one chunk; the last sample reaches `to`. Thread: RT.
+struct Ramp {
+  double from = 0, to = 0;
+
+  /// Value at sample `n` of `count`.
+  double at(int n, int count) const noexcept { return from + (to - from) * (n + 1.0) / count; }
+
+  /// The next chunk goes from where this one ends to `target`.
+  void go_to(double target) noexcept { from = to, to = target; }
+
+  bool rests_at(double value) const noexcept { return from == value && to == value; }
+};
+
+/// x[n] times the ramp. Thread: RT.
+inline void scale(const Ramp& ramp, double* x, int count) noexcept {
+  const double step = (ramp.to - ramp.from) / count;
+  for (int n = 0; n < count; ++n) x[n] *= ramp.from + step * (n + 1);
+}
+
+/// y[n] += ramp times x[n]. Thread: RT.
+inline void add_scaled(const Ramp& ramp, const double* x, double* y, int count) noexcept {
+  const double step = (ramp.to - ramp.from) / count;
+  for (int n = 0; n < count; ++n) y[n] += (ramp.from + step * (n + 1)) * x[n];
+}
+
+/// The share of its way that a one-pole smoother of time constant `time_s` has still to go after `samples`:
+/// y = target + (y - target) * remainder. Thread: any.
+inline double one_pole_remainder(double time_s, double samples, double sample_rate) noexcept {
+  return exp(-samples / (time_s * sample_rate));
+}
+
+/// `from`, moved towards `to` by `step` at most. Thread: RT.
+inline double step_towards(double from, double to, double step) noexcept {
+  return from < to ? std::min(to, from + step) : std::max(to, from - step);
+}
+
+}  // namespace rigsound::dsp
