@@ -7,19 +7,6 @@ constexpr Word<SafetyAction> kActions[] = {
     {"hold", SafetyAction::kHold}, {"idle", SafetyAction::kIdle}, {"mute", SafetyAction::kMute}};
 constexpr double kMaxMs = 3600000;
 
-/// What makes the loud sounds goes quiet when nobody vouches for it; what only colours them stays.
-SafetyAction default_action(Signal s) {
-  switch (s) {
-    case Signal::kEngineRpm:
-    case Signal::kFeedPressureBar:
-    case Signal::kRattling:
-    case Signal::kPercussion:
-      return SafetyAction::kIdle;
-    default:
-      return SafetyAction::kHold;
-  }
-}
-
 }  // namespace
 
 // SIGNAL = "idle", or SIGNAL = { action = "idle", stale_after_ms = 300 }.
@@ -32,7 +19,7 @@ SafetyOptions read_safety(TomlTable table, const StaleDefaults& stale) {
     const auto s = static_cast<Signal>(i);
     const std::string_view key = info(s).name;
     SafetyRule& rule = safety.rule[static_cast<std::size_t>(i)];
-    rule.action = default_action(s);
+    rule.action = info(s).action;
     rule.stale_after_s = one_limit ? limit_ms / 1000 : stale[static_cast<std::size_t>(i)];
     if (!table.is_table(key)) {
       rule.action = table.word(key, rule.action, kActions);

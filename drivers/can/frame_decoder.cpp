@@ -4,17 +4,13 @@
 
 namespace rigsound::can {
 
-bool FrameDecoder::decode(const Frame& frame, double time_s, SignalBoard& board) const {
+bool FrameDecoder::decode(const Frame& frame, double time_s, std::vector<Reading>& out) const {
   bool used = false;
   for (const SignalRoute& route : routes_) {
     if (!matches(route.match, frame)) continue;
     used = true;
-    const auto reading = read_signal(route.layout, route.match.j1939, frame);
-    if (!reading) continue;
-    if (reading->validity == Validity::kValid)
-      board.update(route.target, reading->value, time_s);
-    else
-      board.invalidate(route.target, reading->validity);
+    const auto decoded = read_signal(route.layout, route.match.j1939, frame);
+    if (decoded) out.push_back({route.target, decoded->value, decoded->validity, time_s});
   }
   return used;
 }

@@ -83,22 +83,22 @@ std::optional<std::uint64_t> extract(const BitField& field, const Frame& frame) 
   return field.order == ByteOrder::kIntel ? extract_intel(field, frame) : extract_motorola(field, frame);
 }
 
-std::optional<Reading> read_signal(const SignalLayout& layout, bool j1939, const Frame& frame) {
+std::optional<Decoded> read_signal(const SignalLayout& layout, bool j1939, const Frame& frame) {
   for (const Selector& selector : layout.selectors) {
     const auto selected = extract(selector.field, frame);
-    if (!selected) return Reading{};
+    if (!selected) return Decoded{};
     const bool here = std::any_of(selector.ranges.begin(), selector.ranges.end(), [&](const auto& range) {
       return *selected >= range.first && *selected <= range.second;
     });
     if (!here) return std::nullopt;
   }
   const auto raw = extract(layout.field, frame);
-  if (!raw) return Reading{};
+  if (!raw) return Decoded{};
   if (const auto limit = first_no_value(layout); j1939 && limit && *raw >= *limit) {
     const bool not_available = (*raw >> (layout.field.length - 8)) == 0xFF;
-    return Reading{not_available ? Validity::kNotAvailable : Validity::kErrorValue, 0};
+    return Decoded{not_available ? Validity::kNotAvailable : Validity::kErrorValue, 0};
   }
-  return Reading{Validity::kValid,
+  return Decoded{Validity::kValid,
                  number(layout.type, layout.field.length, *raw) * layout.scale + layout.offset};
 }
 

@@ -70,12 +70,15 @@ std::optional<double> CanLog::next_s() {
   return pending_ ? std::optional<double>(time_s_) : std::nullopt;
 }
 
-void CanLog::advance(double until_s, SignalBoard& board) {
+bool CanLog::advance(double until_s, SignalBoard& board) {
+  std::vector<Reading> readings;
   for (fetch(); pending_ && time_s_ <= until_s; fetch()) {
     const auto decoder = decoders_.find(pending_->interface);
-    if (decoder != decoders_.end() && decoder->second.decode(pending_->frame, time_s_, board)) ++used_;
+    if (decoder != decoders_.end() && decoder->second.decode(pending_->frame, time_s_, readings)) ++used_;
     pending_.reset();
   }
+  for (const Reading& reading : readings) board.take(reading);
+  return !readings.empty();
 }
 
 std::vector<LogNote> CanLog::notes() const {

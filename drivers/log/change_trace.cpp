@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "rigsound/machine/state_resolver.hpp"
+
 namespace rigsound::log {
 namespace {
 
@@ -11,22 +13,24 @@ class Watch {
  public:
   Watch(const SafetyOptions& safety, const std::vector<SignalId>& watched,
         const std::function<void(const Change&)>& report)
-      : board_(safety), watched_(watched), told_(watched.size()), report_(report) {}
+      : safety_(safety), watched_(watched), told_(watched.size()), report_(report) {}
 
   SignalBoard& board() { return board_; }
 
-  void look(double now_s) {
-    board_.resolve(now_s);
+  void compare(double now_s) {
+    resolver_.resolve(board_, safety_, now_s);
     for (std::size_t i = 0; i < watched_.size(); ++i) {
-      if (board_.reading(watched_[i], now_s).validity == Validity::kNeverSeen) continue;
-      const double value = board_.resolved(watched_[i]);
+      if (board_.entry(watched_[i]).validity == Validity::kNeverSeen) continue;
+      const double value = resolver_.value(watched_[i]);
       if (told_[i] != value) report_({now_s, watched_[i], value});
       told_[i] = value;
     }
   }
 
  private:
+  SafetyOptions safety_;
   SignalBoard board_;
+  StateResolver resolver_;
   const std::vector<SignalId>& watched_;
   std::vector<std::optional<double>> told_;
   const std::function<void(const Change&)>& report_;
@@ -39,10 +43,10 @@ void trace_changes(BusLog& log, const SafetyOptions& safety, const std::vector<S
   Watch watch(safety, watched, report);
   double now_s = 0;
   while (const auto next_s = log.next_s()) {
-    for (now_s += kStep; now_s < *next_s; now_s += kStep) watch.look(now_s);
+    for (now_s += kStep; now_s < *next_s; now_s += kStep) watch.compare(now_s);
     now_s = *next_s;
     log.advance(now_s, watch.board());
-    watch.look(now_s);
+    watch.compare(now_s);
   }
 }
 

@@ -31,17 +31,18 @@ std::optional<double> ModbusLog::next_s() {
   return pending_ ? std::optional<double>(time_s_) : std::nullopt;
 }
 
-void ModbusLog::advance(double until_s, SignalBoard& board) {
-  std::vector<modbus::Reading> values;
+bool ModbusLog::advance(double until_s, SignalBoard& board) {
+  std::vector<Reading> readings;
   for (fetch(); pending_ && time_s_ <= until_s; fetch()) {
-    values.clear();
+    const std::size_t before = readings.size();
     for (const modbus::ModbusOptions& link : links_)
       if (link.unit == kAnyUnit || link.unit == pending_->exchange.unit)
-        modbus::readings(pending_->exchange, link.routes, values);
-    for (const modbus::Reading& value : values) modbus::apply(value, time_s_, board);
-    used_ += values.empty() ? 0 : 1;
+        modbus::readings(pending_->exchange, link.routes, time_s_, readings);
+    used_ += readings.size() == before ? 0 : 1;
     pending_.reset();
   }
+  for (const Reading& reading : readings) board.take(reading);
+  return !readings.empty();
 }
 
 std::vector<LogNote> ModbusLog::notes() const {

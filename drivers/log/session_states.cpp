@@ -48,7 +48,8 @@ SessionHeader parse_header(const std::string& file, const std::string& bytes, st
   if (format.empty()) throw InputError(file, "is no session, expected a file written by rigsoundd --session");
   if (format != std::to_string(kSessionFormat))
     throw InputError(file, 1, kSessionTitle,
-                     "format " + format + ", expected " + std::to_string(kSessionFormat));
+                     "format " + format + " of another version of rigsound, expected " +
+                         std::to_string(kSessionFormat) + ": render it with the version that wrote it");
   SessionHeader h;
   h.program = lines["program"];
   h.fingerprint = lines["fingerprint"];

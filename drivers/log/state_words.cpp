@@ -23,19 +23,6 @@ void read_word(std::uint32_t word, Small& value) noexcept {
   value = static_cast<Small>(word);
 }
 
-// The one list of fields. The order is the file format: only ever append, and raise kSessionFormat.
-template <typename State, typename Visit>
-void for_each_field(State& s, Visit visit) noexcept {
-  visit(s.engine_rpm), visit(s.engine_load), visit(s.master_gain_db), visit(s.safety_gain);
-  for (auto& b : s.boom) {
-    visit(b.feed_pressure_bar), visit(b.rattling), visit(b.percussion), visit(b.percussion_rate_hz);
-    visit(b.rod_count), visit(b.rock);
-    auto& c = b.controls;
-    visit(c.mean_frequency_hz), visit(c.mean_amplitude_db), visit(c.deviation_time);
-    visit(c.deviation_amplitude), visit(c.attack_factor), visit(c.decay_factor);
-  }
-}
-
 }  // namespace
 
 StateWords words_of(const MachineState& state) noexcept {

@@ -8,8 +8,11 @@
 
 namespace rigsound::log {
 
-constexpr int kWordsPerBoom = 12;
-constexpr int kStateWords = 4 + kMaxBooms * kWordsPerBoom;
+#define RIGSOUND_ONE(...) +1
+constexpr int kWordsPerBoom = 0 RIGSOUND_BOOM_SIGNALS(RIGSOUND_ONE) RIGSOUND_DRILL_CONTROLS(RIGSOUND_ONE);
+constexpr int kStateWords =
+    2 RIGSOUND_RIG_SIGNALS(RIGSOUND_ONE) + kMaxBooms * kWordsPerBoom;  // 2: slope, gain
+#undef RIGSOUND_ONE
 using StateWords = std::array<std::uint32_t, kStateWords>;
 
 /// Thread: RT.

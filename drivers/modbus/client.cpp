@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "rigsound/device_error.hpp"
+#include "rigsound/monotonic_time.hpp"
 
 namespace rigsound::modbus {
 namespace {
@@ -66,7 +67,7 @@ void Client::poll() {
     }
     listener_.exchange(answer);
     values.clear();
-    readings(answer, options_.routes, values);
+    readings(answer, options_.routes, monotonic_s(), values);
     listener_.readings(values);
   }
   backoff_.worked();  // not before: a device that answers wrong now and then is asked less and less often
@@ -116,7 +117,7 @@ void Client::doubt(const PollRequest& request) {
   for (const RegisterRoute& route : options_.routes) {
     const int offset = route.address - request.address;
     if (route.table == request.table && offset >= 0 && offset < request.count)
-      values.push_back({route.target, 0, Validity::kErrorValue});
+      values.push_back({route.target, 0, Validity::kErrorValue, monotonic_s()});
   }
   listener_.readings(values);
 }

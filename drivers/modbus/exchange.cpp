@@ -55,22 +55,16 @@ double decode(const RegisterRoute& route, const std::uint16_t* first) {
   return raw_value(route, first) * route.scale + route.offset;
 }
 
-void readings(const Exchange& exchange, const std::vector<RegisterRoute>& routes, std::vector<Reading>& out) {
+void readings(const Exchange& exchange, const std::vector<RegisterRoute>& routes, double time_s,
+              std::vector<Reading>& out) {
   const int first = exchange.address, end = first + static_cast<int>(exchange.values.size());
   for (const RegisterRoute& route : routes) {
     if (route.table != exchange.table || route.address < first || route.address + width(route) > end)
       continue;
     out.push_back({route.target,
                    decode(route, &exchange.values[static_cast<std::size_t>(route.address - first)]),
-                   Validity::kValid});
+                   Validity::kValid, time_s});
   }
-}
-
-void apply(const Reading& reading, double time_s, SignalBoard& board) {
-  if (reading.validity == Validity::kValid)
-    board.update(reading.target, reading.value, time_s);
-  else
-    board.invalidate(reading.target, reading.validity);
 }
 
 std::string describe(Table table, std::uint16_t address) {

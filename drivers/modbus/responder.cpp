@@ -1,4 +1,5 @@
 #include "modbus/responder.hpp"
+#include "rigsound/monotonic_time.hpp"
 
 namespace rigsound::modbus {
 namespace {
@@ -50,7 +51,7 @@ Responder::Outcome Responder::respond(modbus_t* context, const std::uint8_t* adu
 void Responder::tell(const Exchange& change) {
   listener_.exchange(change);
   std::vector<Reading> values;
-  readings(change, options_.routes, values);
+  readings(change, options_.routes, monotonic_s(), values);
   listener_.readings(values);
 }
 

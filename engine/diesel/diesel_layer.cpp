@@ -10,16 +10,13 @@
 #include "rigsound/dsp/butterworth.hpp"
 #include "rigsound/dsp/interpolation_kernel.hpp"
 #include "rigsound/dsp/linear_prediction.hpp"
-#include "rigsound/machine/rpm_tracker.hpp"
 
 namespace rigsound::diesel {
 namespace {
 
 constexpr int kTaps = 16, kPhases = 256;
 constexpr double kBeta = 8;
-constexpr int kMaxSpan = 512;       // angle samples a chunk reaches over at 4000 r/min and 32 kHz
-constexpr double kMaxSlope = 6000;  // r/min a second; no flywheel is faster
-constexpr double kOverdue = 1.5;    // message intervals after which silence means "unchanged"
+constexpr int kMaxSpan = 512;  // angle samples a chunk reaches over at 4000 r/min and 32 kHz
 constexpr double kLowest_rpm = 1;
 
 const DieselModel& checked(const DieselModel& model) {
@@ -55,8 +52,8 @@ class DieselLayer::Voice {
   void process(const DieselInput& input, double* out) noexcept;
 
  private:
-  void follow(double rpm) noexcept;
-  void engine(double* out) noexcept;
+  void set_speed(double rpm) noexcept;
+  void run(double* out) noexcept;
   void table_segment(const AngleSpan& span, int count, double* out) noexcept;
 
   DieselModel model_;
@@ -70,28 +67,18 @@ class DieselLayer::Voice {
   ToneBank tones_;
   HydraulicVoice hydraulic_;
   StartStop start_stop_;
-  RpmTracker tracker_;
   Crank crank_;
   OperatingPoint at_;
   GridPlace before_;
-  double message_rpm_ = 0, rpm_from_ = 0, rpm_to_ = 0;
-  dsp::Ramp load_gain_{1, 1};
-  std::int64_t chunk_ = 0;
+  dsp::Ramp rpm_, load_gain_{1, 1};
   AngleSpan fine_, coarse_;
 };
 
-/// The bus only says the newest value: a change is a message, and so is a silence longer than usual.
-void DieselLayer::Voice::follow(double rpm) noexcept {
-  const double now = static_cast<double>(chunk_) * kChunk / sample_rate_;
-  const bool overdue = now - tracker_.last_time() > kOverdue * tracker_.interval();
-  if (rpm != message_rpm_ || overdue) tracker_.message(now, rpm);
-  message_rpm_ = rpm;
-  ++chunk_;
-  const double step = kMaxSlope * kChunk / sample_rate_;
-  const double wanted = std::min(tracker_.at(now + kChunk / sample_rate_), 4000.0);
-  rpm_from_ = rpm_to_;
-  rpm_to_ = std::clamp(wanted, rpm_from_ - step, rpm_from_ + step);
-  if (rpm == 0 && rpm_to_ < kLowest_rpm) rpm_to_ = 0;
+/// No flywheel jumps, whatever a state says.
+void DieselLayer::Voice::set_speed(double rpm) noexcept {
+  const double step = static_cast<double>(kMaxSpeedSlope) * kChunk / sample_rate_;
+  rpm_.go_to(std::clamp(rpm, rpm_.to - step, rpm_.to + step));
+  if (rpm == 0 && rpm_.to < kLowest_rpm) rpm_.to = 0;
 }
 
 void DieselLayer::Voice::table_segment(const AngleSpan& span, int count, double* out) noexcept {
@@ -113,8 +100,8 @@ void DieselLayer::Voice::table_segment(const AngleSpan& span, int count, double*
     out[i] = old[static_cast<std::size_t>(i)] + (out[i] - old[static_cast<std::size_t>(i)]) * (i + 1) / count;
 }
 
-void DieselLayer::Voice::engine(double* out) noexcept {
-  crank_.turn(cycles_per_second(rpm_from_), cycles_per_second(rpm_to_), sample_rate_);
+void DieselLayer::Voice::run(double* out) noexcept {
+  crank_.turn(cycles_per_second(rpm_.from), cycles_per_second(rpm_.to), sample_rate_);
   crank_.span(model_.angle_samples, fine_);
   crank_.span(model_.low_channels, coarse_);
   const int fine_count = fine_.count + kTaps, coarse_count = coarse_.count + kTaps;
@@ -143,15 +130,15 @@ void DieselLayer::Voice::engine(double* out) noexcept {
 
 void DieselLayer::Voice::process(const DieselInput& input, double* out) noexcept {
   std::fill(out, out + kChunk, 0.0);
-  follow(input.rpm);
+  set_speed(input.rpm);
   double shot[kChunk] = {};
-  start_stop_.advance(rpm_to_, shot);
+  start_stop_.advance(rpm_.to, shot);
   if (start_stop_.silent()) return;
 
-  const double rpm = 0.5 * (rpm_from_ + rpm_to_);
+  const double rpm = 0.5 * (rpm_.from + rpm_.to);
   before_ = at_.place;
   at_ = {grid_.place(rpm, input.load), rpm, input.load};
-  engine(out);
+  run(out);
   tones_.add(cycles_per_second(rpm), {1, 1}, out);
   load_gain_.go_to(load_slope_db_ == 0
                        ? 1.0

@@ -21,27 +21,35 @@ double bandwidth(double interval_s) noexcept {
 
 }  // namespace
 
+double SpeedTrend::at(double age_s) const noexcept {
+  const double trusted = std::min(age_s, kTrusted_s);
+  const double faded = age_s > kTrusted_s ? kFade_s * (1 - dsp::exp((kTrusted_s - age_s) / kFade_s)) : 0.0;
+  return std::max(0.0, rpm + slope * (trusted + faded));
+}
+
+double SpeedTrend::slope_at(double age_s) const noexcept {
+  return age_s > kTrusted_s ? slope * dsp::exp((kTrusted_s - age_s) / kFade_s) : slope;
+}
+
 void RpmTracker::message(double time_s, double rpm) noexcept {
   const double dt = time_s - time_;
   if (!(dt > 0)) return;
-  const double predicted = at(time_s);
+  const double predicted = trend_.at(dt);
   const double error = rpm - predicted;
   time_ = time_s;
   if (std::fabs(error) > kJump * std::max(predicted, rpm) || dt > 4 * kLongest_s) {
-    rpm_ = rpm, slope_ = 0;
+    trend_ = {rpm, 0};
     return;
   }
   interval_ += 0.25 * (std::min(dt, kLongest_s) - interval_);
   const double rho = dsp::exp(-bandwidth(interval_) * dt);
-  rpm_ = predicted + (1 - rho * rho) * error;
-  slope_ += (1 - rho) * (1 - rho) / dt * error;
+  trend_.rpm = predicted + (1 - rho * rho) * error;
+  trend_.slope += (1 - rho) * (1 - rho) / dt * error;
 }
 
-double RpmTracker::at(double time_s) const noexcept {
-  const double age = time_s - time_;
-  if (age <= kTrusted_s) return std::max(0.0, rpm_ + slope_ * age);
-  const double faded = kTrusted_s + kFade_s * (1 - dsp::exp((kTrusted_s - age) / kFade_s));
-  return std::max(0.0, rpm_ + slope_ * faded);
+SpeedTrend RpmTracker::at(double time_s) const noexcept {
+  const double age_s = std::max(0.0, time_s - time_);
+  return {trend_.at(age_s), trend_.slope_at(age_s)};
 }
 
 }  // namespace rigsound

@@ -1,19 +1,81 @@
 #include "rigsound/machine/signal.hpp"
 
+#include <cmath>
+
 namespace rigsound {
+namespace {
+
+template <auto Member>
+double get_rig(const MachineState& state, int) {
+  return static_cast<double>(state.*Member);
+}
+template <auto Member>
+double get_boom(const MachineState& state, int boom) {
+  return static_cast<double>(state.boom[boom].*Member);
+}
+
+template <class Value>
+void assign(Value& field, double value) {
+  field = static_cast<Value>(value);
+}
+template <auto Member>
+void set_rig(MachineState& state, int, double value) {
+  assign(state.*Member, value);
+}
+template <auto Member>
+void set_boom(MachineState& state, int boom, double value) {
+  assign(state.boom[boom].*Member, value);
+}
+
+#define RIGSOUND_RIG_INFO(id, member, type, unit, min, max, absent, idle, action, kind, words, meaning) \
+  {#member,                                                                                             \
+   unit,                                                                                                \
+   min,                                                                                                 \
+   max,                                                                                                 \
+   absent,                                                                                              \
+   idle,                                                                                                \
+   SafetyAction::action,                                                                                \
+   SignalKind::kind,                                                                                    \
+   words,                                                                                               \
+   meaning,                                                                                             \
+   false,                                                                                               \
+   &get_rig<&MachineState::member>,                                                                     \
+   &set_rig<&MachineState::member>},
+#define RIGSOUND_BOOM_INFO(id, member, type, unit, min, max, absent, idle, action, kind, words, meaning) \
+  {#member,                                                                                              \
+   unit,                                                                                                 \
+   min,                                                                                                  \
+   max,                                                                                                  \
+   absent,                                                                                               \
+   idle,                                                                                                 \
+   SafetyAction::action,                                                                                 \
+   SignalKind::kind,                                                                                     \
+   words,                                                                                                \
+   meaning,                                                                                              \
+   true,                                                                                                 \
+   &get_boom<&BoomState::member>,                                                                        \
+   &set_boom<&BoomState::member>},
+#define RIGSOUND_CONTROL_INFO(member, unit, min, max, neutral, kind, meaning) \
+  {#member, unit, min, max, neutral, SignalKind::kind, meaning, &DrillControls::member},
+
+bool takes_number(SignalKind kind, double min, double max, double value) noexcept {
+  if (kind == SignalKind::kWord && value != std::floor(value)) return false;
+  return (value >= min && value <= max) || (kind == SignalKind::kNumberOrZero && value == 0);
+}
+
+}  // namespace
+
+bool SignalInfo::takes(double value) const noexcept { return takes_number(kind, min, max, value); }
+bool ControlInfo::takes(double value) const noexcept { return takes_number(kind, min, max, value); }
 
 const std::array<SignalInfo, kSignalCount>& signal_table() {
-  static constexpr std::array<SignalInfo, kSignalCount> kTable = {{
-      {"engine_rpm", "r/min", 0, 4000, 0, 0, false, false},
-      {"feed_pressure_bar", "bar", 0, 300, 0, 0, true, false},
-      {"rattling", "", 0, 2, 0, 0, true, true},
-      {"percussion", "", 0, 1, 2, 0, true, true},
-      {"percussion_rate_hz", "Hz", 5, 80, 0, 0, true, false},
-      {"engine_load", "", 0, 1, -1, 0, false, false},
-      {"rod_count", "", 1, 20, 1, 1, true, true},
-      {"rock", "", 0, 65535, 0, 0, true, true},
-      {"master_gain_db", "dB", -60, 0, 0, -60, false, false},
-  }};
+  static constexpr std::array<SignalInfo, kSignalCount> kTable = {
+      {RIGSOUND_RIG_SIGNALS(RIGSOUND_RIG_INFO) RIGSOUND_BOOM_SIGNALS(RIGSOUND_BOOM_INFO)}};
+  return kTable;
+}
+
+const std::array<ControlInfo, 6>& control_table() {
+  static constexpr std::array<ControlInfo, 6> kTable = {{RIGSOUND_DRILL_CONTROLS(RIGSOUND_CONTROL_INFO)}};
   return kTable;
 }
 
@@ -33,11 +95,12 @@ std::string_view name(Validity v) {
 }
 
 std::string_view value_word(Signal s, double value) {
-  constexpr std::string_view kRattling[] = {"none", "closed", "open"};
-  constexpr std::string_view kPercussion[] = {"off", "on"};
-  const auto i = static_cast<std::size_t>(value);
-  if (s == Signal::kRattling && i < 3) return kRattling[i];
-  if (s == Signal::kPercussion && i < 2) return kPercussion[i];
+  std::string_view words = info(s).words;
+  for (int skip = value >= 0 ? static_cast<int>(value) : -1; !words.empty(); --skip) {
+    const std::size_t end = words.find('|');
+    if (skip == 0) return words.substr(0, end);
+    words.remove_prefix(end == std::string_view::npos ? words.size() : end + 1);
+  }
   return {};
 }
 

@@ -17,7 +17,8 @@ constexpr double kFeedShare = 0.5, kHammerShare = 0.4;
 }  // namespace
 
 RigScene::RigScene(const EngineOptions& options) noexcept
-    : overfeed_bar_(options.scene.overfeed_bar),
+    : chunk_s_(kChunk / options.sample_rate),
+      overfeed_bar_(options.scene.overfeed_bar),
       load_smoothing_(dsp::one_pole_remainder(kLoad_s, kChunk, options.sample_rate)),
       gain_smoothing_(dsp::one_pole_remainder(kGain_s, kChunk, options.sample_rate)) {}
 
@@ -28,12 +29,15 @@ void RigScene::latch(const MachineState& state, int booms, int hammering) noexce
   feed_ = std::min(1.0, feed / overfeed_bar_);
   load_ = state.engine_load >= 0 ? static_cast<double>(state.engine_load)
                                  : kFeedShare * feed_ + (hammering > 0 ? kHammerShare : 0.0);
-  diesel_.rpm = static_cast<double>(state.engine_rpm);
+  const SpeedTrend speed{static_cast<double>(state.engine_rpm), static_cast<double>(state.engine_rpm_slope)};
+  if (speed.rpm != speed_.rpm || speed.slope != speed_.slope) speed_ = speed, speed_age_s_ = 0;
   wanted_gain_ =
-      dsp::gain_of_db(static_cast<double>(state.master_gain_db)) * static_cast<double>(state.safety_gain);
+      dsp::gain_of_db(static_cast<double>(state.master_gain_db)) * static_cast<double>(state.output_gain);
 }
 
 void RigScene::advance() noexcept {
+  speed_age_s_ += chunk_s_;
+  diesel_.rpm = speed_.at(speed_age_s_);
   diesel_.load = load_ + (diesel_.load - load_) * load_smoothing_;
   diesel_.feed = feed_ + (diesel_.feed - feed_) * load_smoothing_;
   gain_.go_to(wanted_gain_ + (gain_.to - wanted_gain_) * gain_smoothing_);

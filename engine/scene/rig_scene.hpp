@@ -4,6 +4,7 @@
 #include "rigsound/diesel_player.hpp"
 #include "rigsound/dsp/ramp.hpp"
 #include "rigsound/machine/machine_state.hpp"
+#include "rigsound/machine/rpm_tracker.hpp"
 #include "rigsound/options.hpp"
 
 namespace rigsound::scene {
@@ -22,9 +23,11 @@ class RigScene {
   const dsp::Ramp& gain() const noexcept { return gain_; }  ///< output level over the chunk, linear
 
  private:
-  double overfeed_bar_;
+  double chunk_s_, overfeed_bar_;
   double load_smoothing_, gain_smoothing_;
   DieselInput diesel_;
+  SpeedTrend speed_;  ///< as the last state that changed it said
+  double speed_age_s_ = 0;
   double load_ = 0, feed_ = 0, wanted_gain_ = 1;  ///< targets
   dsp::Ramp gain_;
 };

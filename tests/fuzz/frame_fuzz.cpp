@@ -48,9 +48,11 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   frame.size = bytes.take<std::uint8_t>();
   for (std::uint8_t& byte : frame.data) byte = bytes.take<std::uint8_t>();
 
-  SignalBoard board(SafetyOptions{});
-  can::FrameDecoder({route}).decode(frame, 0, board);
-  const MachineState state = board.resolve(0);
+  std::vector<Reading> readings;
+  can::FrameDecoder({route}).decode(frame, 0, readings);
+  SignalBoard board;
+  for (const Reading& reading : readings) board.take(reading);
+  const MachineState state = StateResolver().resolve(board, {}, 0);
   const bool finite = std::isfinite(state.engine_rpm) && std::isfinite(state.engine_load) &&
                       std::isfinite(state.master_gain_db) && std::isfinite(state.boom[0].feed_pressure_bar) &&
                       std::isfinite(state.boom[0].percussion_rate_hz);

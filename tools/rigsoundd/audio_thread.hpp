@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "audio_figures.hpp"
+#include "live_states.hpp"
 #include "rigsound/audio/block_loop.hpp"
 #include "rigsound/audio/sink.hpp"
 #include "rigsound/engine.hpp"
+#include "rigsound/handoff/swap_slot.hpp"
 #include "rigsound/handoff/triple_buffer.hpp"
 #include "run_record.hpp"
 
@@ -20,7 +22,7 @@ namespace rigsound::daemon {
 /// new run whose blocks count from 0.
 class AudioThread {
  public:
-  AudioThread(std::unique_ptr<Engine> engine, audio::Sink& sink, TripleBuffer<MachineState>& states);
+  AudioThread(std::unique_ptr<Engine> engine, audio::Sink& sink, TripleBuffer<StateInput>& states);
   ~AudioThread();
   AudioThread(const AudioThread&) = delete;
   AudioThread& operator=(const AudioThread&) = delete;
@@ -31,27 +33,30 @@ class AudioThread {
   /// Returns when the new engine plays, and destroys the old one. Thread: CT
   void replace_engine(std::unique_ptr<Engine> engine);
 
-  const AudioFigures& figures() const { return figures_; }       ///< Thread: any
+  const AudioFigures& figures() const { return figures_; }  ///< Thread: any
+  /// The state the engine was last told. Thread: CT, one at a time
+  const MachineState& heard() const { return heard_.read(); }
   RunQueue& records() { return records_; }                       ///< its reader, CT
   const std::string& scheduling() const { return scheduling_; }  ///< "SCHED_FIFO 70", or why not
 
  private:
-  class States;  // what a block begins with
-  class Timed;   // what it ends with
-
   void loop();
   void ask_scheduler();
   void begin_run();
-  void end_run(std::uint64_t blocks);
+  void render_run();
+  void measure(std::uint64_t spent_ns) noexcept;
   void tell(RunRecord record) noexcept;
 
   std::unique_ptr<Engine> engine_;
   std::vector<float> block_;  // a new engine's blocks are of the same size
+  std::uint64_t deadline_ns_;
   audio::Sink& sink_;
-  TripleBuffer<MachineState>& states_;
+  LiveStates states_;
+  RunRecord told_;
+  mutable TripleBuffer<MachineState> heard_{MachineState{}};
   RunQueue records_{kRunQueueLength};
   AudioFigures figures_;
-  std::atomic<Engine*> offered_{nullptr}, retired_{nullptr};
+  SwapSlot<Engine> next_engine_;
   std::atomic<bool> stop_{false}, ready_{false};
   std::string scheduling_;
   std::thread thread_;

@@ -4,9 +4,9 @@
 
 #include "bus_log.hpp"
 #include "feed.hpp"
-#include "monotonic_time.hpp"
 #include "rigsound/can/can_bus.hpp"
 #include "rigsound/can/frame_decoder.hpp"
+#include "rigsound/monotonic_time.hpp"
 
 namespace rigsound::daemon {
 namespace {
@@ -57,9 +57,11 @@ class CanFeed : public Feed, private can::CanListener {
         std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
     const double now_s = monotonic_s();
     std::uint64_t used = 0;
+    readings_.clear();
+    for (std::size_t i = 0; i < count; ++i)
+      used += decoder_.decode(first[i].frame, arrival_s(first[i], realtime_s, now_s), readings_) ? 1 : 0;
     exchange_.change([&](SignalBoard& board) {
-      for (std::size_t i = 0; i < count; ++i)
-        used += decoder_.decode(first[i].frame, arrival_s(first[i], realtime_s, now_s), board) ? 1 : 0;
+      for (const Reading& reading : readings_) board.take(reading);
     });
     used_.fetch_add(used, std::memory_order_relaxed);
   }
@@ -68,13 +70,14 @@ class CanFeed : public Feed, private can::CanListener {
     log_.down(why);
     exchange_.change([this](SignalBoard& board) {
       for (const can::SignalRoute& route : decoder_.routes())
-        board.invalidate(route.target, Validity::kBusDown);
+        board.take({route.target, 0, Validity::kBusDown, 0});
     });
   }
   void notice(const std::string& text) override { log_.notice(text); }
 
   StateExchange& exchange_;
   can::FrameDecoder decoder_;
+  std::vector<Reading> readings_;
   BusLog log_;
   can::CanBus bus_;
   std::atomic<std::uint64_t> used_{0};

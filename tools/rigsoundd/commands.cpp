@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "drill_control_names.hpp"
+#include "rigsound/machine/signal.hpp"
 
 namespace rigsound::daemon {
 namespace {
@@ -19,7 +19,7 @@ struct Refused : std::runtime_error {
 
 const ControlInfo& control_named(const std::string& name) {
   std::string known;
-  for (const ControlInfo& control : kDrillControls) {
+  for (const ControlInfo& control : control_table()) {
     if (control.name == name) return control;
     known.append(known.empty() ? "" : ", ").append(control.name);
   }
@@ -46,11 +46,10 @@ Json set(const Json& request, Commanded& daemon) {
   const std::vector<std::string> booms = daemon.boom_names();
   const int boom = take_boom(key, booms);
   const ControlInfo& control = control_named(key);
-  const bool in_range =
-      (value >= control.min && value <= control.max) || (control.zero_allowed && value == 0);
-  if (!in_range)
+  if (!control.takes(value))
     throw Refused(fmt::format("{}: {} is out of range, expected {}...{} {}{}", key, value, control.min,
-                              control.max, control.unit, control.zero_allowed ? " or 0" : ""));
+                              control.max, control.unit,
+                              control.kind == SignalKind::kNumberOrZero ? " or 0" : ""));
   for (int b = 0; b < static_cast<int>(booms.size()); ++b) {
     if (boom >= 0 && b != boom) continue;
     DrillControls controls = daemon.controls(b);

@@ -9,15 +9,14 @@
 
 #include "control_socket.hpp"
 #include "log_setup.hpp"
-#include "monotonic_time.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/machine/input_error.hpp"
+#include "rigsound/monotonic_time.hpp"
 #include "rigsound/socket/tcp_listener.hpp"
 
 namespace rigsound::daemon {
 namespace {
 
-constexpr auto kTick = std::chrono::milliseconds(2);
 constexpr double kTend_s = 0.1;
 constexpr double kSwapFade_s = 0.03;  // around a new engine
 constexpr double kMuteFade_s = 0.1, kLastFade_s = 0.3;
@@ -46,12 +45,6 @@ Daemon::Daemon(const DaemonOptions& options)
   open_sockets();
   start_feeds();
   recorder_.expect_run(session_header());
-  ticker_ = std::thread([this] {
-    while (ticking_.load(std::memory_order_relaxed)) {
-      exchange_.tick();
-      std::this_thread::sleep_for(kTick);
-    }
-  });
   audio_.start();
   spdlog::info("audio thread: {}", audio_.scheduling());
 }
@@ -59,8 +52,6 @@ Daemon::Daemon(const DaemonOptions& options)
 Daemon::~Daemon() {
   feeds_.clear();
   audio_.stop();
-  ticking_ = false;
-  if (ticker_.joinable()) ticker_.join();
   if (!loaded_.rig.control.socket.empty()) ::unlink(loaded_.rig.control.socket.c_str());
 }
 

@@ -56,7 +56,7 @@ class Daemon : private Commanded {
   void fade_to_silence(double fade_s);
   log::SessionHeader session_header() const;
   audio::CardStatus card() const;
-  std::vector<SignalSnapshot> signal_snapshots() const;
+  std::vector<SignalSnapshot> signal_snapshots(const MachineState& heard) const;
 
   LoadedRig loaded_;
   StateExchange exchange_;
@@ -72,8 +72,6 @@ class Daemon : private Commanded {
   double start_s_, next_tend_s_ = 0, silent_since_s_ = 0;
   std::uint64_t reloads_ = 0, failed_reloads_ = 0;
   bool stop_ = false;
-  std::atomic<bool> ticking_{true};
-  std::thread ticker_;  // last: keeps fades and ages going while main is busy
 };
 
 }  // namespace rigsound::daemon

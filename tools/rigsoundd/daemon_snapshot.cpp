@@ -1,6 +1,6 @@
 #include "daemon.hpp"
 #include "log_setup.hpp"
-#include "monotonic_time.hpp"
+#include "rigsound/monotonic_time.hpp"
 
 namespace rigsound::daemon {
 
@@ -24,7 +24,8 @@ Snapshot Daemon::snapshot() const {
   s.peak = read(f.peak);
   s.rms = read(f.rms);
   s.limiter_gain = read(f.limiter_gain);
-  s.output_gain = exchange_.output_gain();
+  const MachineState& heard = audio_.heard();
+  s.output_gain = static_cast<double>(heard.output_gain);
   s.muted = exchange_.muted();
   s.reloads = reloads_;
   s.failed_reloads = failed_reloads_;
@@ -34,25 +35,22 @@ Snapshot Daemon::snapshot() const {
   for (const auto& feed : feeds_) s.buses.push_back(feed->status());
   for (std::size_t b = 0; b < loaded_.rig.engine.booms.size(); ++b)
     s.booms.push_back({loaded_.rig.engine.booms[b].name, exchange_.controls(static_cast<int>(b))});
-  s.signals = signal_snapshots();
+  s.signals = signal_snapshots(heard);
   return s;
 }
 
-std::vector<SignalSnapshot> Daemon::signal_snapshots() const {
+std::vector<SignalSnapshot> Daemon::signal_snapshots(const MachineState& heard) const {
   std::vector<SignalSnapshot> snapshots;
   const double now_s = monotonic_s();
-  for (int s = 0; s < kSignalCount; ++s) {
-    const auto signal = static_cast<Signal>(s);
-    const std::size_t booms = info(signal).per_boom ? loaded_.rig.engine.booms.size() : 1;
-    for (std::size_t b = 0; b < booms; ++b) {
-      const SignalId id{signal, static_cast<std::uint8_t>(b)};
-      const SignalBoard::Reading reading = exchange_.reading(id);
-      const bool seen = reading.validity != Validity::kNeverSeen;
-      snapshots.push_back({config::signal_label(loaded_.rig, id), std::string(info(signal).unit),
-                           exchange_.resolved(id), seen ? now_s - reading.seen_s : -1,
-                           std::string(name(reading.validity))});
-    }
-  }
+  const SignalBoard board = exchange_.board();
+  const SafetyOptions safety = exchange_.safety();
+  for_each_signal(static_cast<int>(loaded_.rig.engine.booms.size()), [&](SignalId id) {
+    const SignalInfo& signal = info(id.signal);
+    const Validity validity = board.validity(id, safety.rule[static_cast<std::size_t>(id.signal)], now_s);
+    const double age_s = validity == Validity::kNeverSeen ? -1 : now_s - board.entry(id).seen_s;
+    snapshots.push_back({config::signal_label(loaded_.rig, id), std::string(signal.unit),
+                         signal.get(heard, id.boom), age_s, std::string(name(validity))});
+  });
   return snapshots;
 }
 

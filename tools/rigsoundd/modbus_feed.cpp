@@ -2,8 +2,8 @@
 
 #include "bus_log.hpp"
 #include "feed.hpp"
-#include "monotonic_time.hpp"
 #include "rigsound/modbus/modbus_link.hpp"
+#include "rigsound/monotonic_time.hpp"
 
 namespace rigsound::daemon {
 namespace {
@@ -36,17 +36,16 @@ class ModbusFeed : public Feed, private modbus::ModbusListener {
   }
 
  private:
-  void readings(const std::vector<modbus::Reading>& readings) override {
-    const double now_s = monotonic_s();
+  void readings(const std::vector<Reading>& readings) override {
     exchange_.change([&](SignalBoard& board) {
-      for (const modbus::Reading& reading : readings) modbus::apply(reading, now_s, board);
+      for (const Reading& reading : readings) board.take(reading);
     });
   }
   void up() override { log_.up(); }
   void down(const std::string& why) override {
     log_.down(why);
     exchange_.change([this](SignalBoard& board) {
-      for (const modbus::RegisterRoute& route : routes_) board.invalidate(route.target, Validity::kBusDown);
+      for (const modbus::RegisterRoute& route : routes_) board.take({route.target, 0, Validity::kBusDown, 0});
     });
   }
   void notice(const std::string& text) override { log_.notice(text); }

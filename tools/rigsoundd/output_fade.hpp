@@ -1,12 +1,12 @@
-// The daemon's own hand on the volume: mute, the fades around a new engine, the last fade.
+// Output gain of the daemon: mute, the fades around a new engine, the last fade.
 #pragma once
 
 namespace rigsound::daemon {
 
-/// A gain that moves evenly to its target. Thread: CT, one at a time.
+/// A gain that moves evenly to its target. Plain data. Thread: any, one at a time.
 class OutputFade {
  public:
-  explicit OutputFade(double gain) : from_(gain), to_(gain) {}
+  explicit OutputFade(double gain = 1) : from_(gain), to_(gain) {}
 
   /// To `target` (0...1) within `seconds`, from where the gain is at `now_s`.
   void start(double target, double seconds, double now_s) {
@@ -15,6 +15,7 @@ class OutputFade {
     start_s_ = now_s;
     seconds_ = seconds;
   }
+  bool moving(double now_s) const { return now_s < start_s_ + seconds_; }
   double gain(double now_s) const {
     const double share = seconds_ > 0 ? (now_s - start_s_) / seconds_ : 1;
     return share >= 1 ? to_ : from_ + (to_ - from_) * (share > 0 ? share : 0);

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "drill_control_names.hpp"
+#include "rigsound/machine/signal.hpp"
 #include "snapshot.hpp"
 
 namespace rigsound::daemon {
@@ -53,7 +53,7 @@ Json booms_json(const Snapshot& s) {
   Json json = Json::array();
   for (const BoomSnapshot& boom : s.booms) {
     Json entry = {{"name", boom.name}};
-    for (const ControlInfo& control : kDrillControls)
+    for (const ControlInfo& control : control_table())
       entry[std::string(control.name)] = boom.controls.*control.field;
     json.push_back(entry);
   }

@@ -1,4 +1,4 @@
-// Where readings of all buses become the one state that the audio thread takes.
+// Where readings of all buses, live controls and output fades meet, on their way to the audio thread.
 #pragma once
 
 #include <array>
@@ -7,47 +7,51 @@
 
 #include "output_fade.hpp"
 #include "rigsound/handoff/triple_buffer.hpp"
-#include "rigsound/machine/machine_state.hpp"
 #include "rigsound/machine/signal_board.hpp"
 
 namespace rigsound::daemon {
 
+/// All that the state of a block follows from. Plain data.
+struct StateInput {
+  SignalBoard board;
+  SafetyOptions safety;
+  std::array<DrillControls, kMaxBooms> controls{};
+  OutputFade mute, gate;
+  std::uint64_t revision = 0;  ///< counts changes
+};
+
 /// Bus threads and the control socket change it under a lock; each change is at once in the handoff, so the
-/// next block hears it. tick() must be called every few milliseconds for fades and ageing.
+/// next block hears it.
 class StateExchange {
  public:
   explicit StateExchange(const SafetyOptions& safety);
 
   void change(const std::function<void(SignalBoard&)>& edit);  ///< Thread: CT
-  void tick();                                                 ///< Thread: CT
 
   void set_controls(int boom, const DrillControls& controls);  ///< Thread: CT
   DrillControls controls(int boom) const;                      ///< Thread: CT
 
   void set_muted(bool muted, double fade_s);  ///< Thread: CT
   bool muted() const;                         ///< Thread: CT
-  /// A second hand on the volume, for changes of engine and the end: 0 silent, 1 open. Thread: CT
+  /// Second output gain, for engine swap and shutdown fades: 0 silent, 1 open. Thread: CT
   void set_gate(double target, double fade_s);
 
-  /// New safety rules; what is known of the signals stays. Thread: CT
-  void set_safety(const SafetyOptions& safety);
+  void set_safety(const SafetyOptions& safety);  ///< Thread: CT
 
-  SignalBoard::Reading reading(SignalId id) const;  ///< Thread: CT
-  double resolved(SignalId id) const;               ///< Thread: CT
-  float output_gain() const;  ///< safety, mute and gate together, as last told the engine. Thread: CT
+  /// What is known of the signals now. Thread: CT
+  SignalBoard board() const;
+  SafetyOptions safety() const;
 
-  TripleBuffer<MachineState>& handoff() { return handoff_; }  ///< its reader: the audio thread, RT
+  TripleBuffer<StateInput>& handoff() { return handoff_; }  ///< its reader: the audio thread, RT
 
  private:
-  void publish();
+  template <typename Edit>
+  void edit(Edit edit);
 
   mutable std::mutex mutex_;
-  SignalBoard board_;
-  std::array<DrillControls, kMaxBooms> controls_{};
-  OutputFade mute_{1}, gate_{1};
+  StateInput input_;
   bool muted_ = false;
-  float output_gain_ = 1;
-  TripleBuffer<MachineState> handoff_;
+  TripleBuffer<StateInput> handoff_;
 };
 
 }  // namespace rigsound::daemon

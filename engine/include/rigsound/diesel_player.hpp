@@ -10,7 +10,7 @@ namespace rigsound {
 
 /// What the diesel follows.
 struct DieselInput {
-  double rpm = 0;   ///< r/min, 0: diesel off
+  double rpm = 0;   ///< r/min at the end of the chunk, 0: diesel off
   double load = 0;  ///< 0...1
   double feed = 0;  ///< hydraulic pressure, 0...1 of the overfeed threshold
 };

@@ -56,8 +56,8 @@ struct Setup {
     const std::uint64_t end = audio.figures().blocks + blocks;
     for (int i = 0; audio.figures().blocks < end; ++i) {
       exchange.change([&](SignalBoard& board) {
-        board.update({Signal::kEngineRpm}, 800 + i % 1000, 0.001 * i);
-        board.update({Signal::kFeedPressureBar}, i % 150, 0.001 * i);
+        board.take({{Signal::kEngineRpm}, 800.0 + i % 1000, Validity::kValid, 0.001 * i});
+        board.take({{Signal::kFeedPressureBar}, static_cast<double>(i % 150), Validity::kValid, 0.001 * i});
       });
       recorder.tend(0.01 * i);
       std::this_thread::sleep_for(std::chrono::microseconds(300));
@@ -104,7 +104,9 @@ TEST_CASE("A recorder that is not tended loses records, says so, and writes noth
   Setup s;
   s.audio.start();
   for (int i = 0; s.audio.figures().lost_records == 0; ++i)
-    s.exchange.change([&](SignalBoard& board) { board.update({Signal::kFeedPressureBar}, i % 290, 0); });
+    s.exchange.change([&](SignalBoard& board) {
+      board.take({{Signal::kFeedPressureBar}, static_cast<double>(i % 290), Validity::kValid, 0});
+    });
   s.recorder.tend(1);
   CHECK(s.recorder.wants_new_run(false));
   s.audio.stop();

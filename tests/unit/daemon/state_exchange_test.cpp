@@ -1,36 +1,72 @@
 #include "state_exchange.hpp"
 
+#include "live_states.hpp"
+
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <thread>
 
-#include "monotonic_time.hpp"
+#include "rigsound/monotonic_time.hpp"
 
 using namespace rigsound;
 using namespace rigsound::daemon;
 
-TEST_CASE("A change is in the handoff at once, with the live controls") {
+namespace {
+
+void say(StateExchange& exchange, SignalId id, double value) {
+  exchange.change([&](SignalBoard& board) { board.take({id, value, Validity::kValid, monotonic_s()}); });
+}
+
+}  // namespace
+
+TEST_CASE("A change is in the next state at once, with the live controls") {
   StateExchange exchange{SafetyOptions{}};
-  CHECK(exchange.handoff().read().engine_rpm == 0);
-  exchange.change([](SignalBoard& board) { board.update({Signal::kEngineRpm}, 1500, monotonic_s()); });
-  CHECK(exchange.handoff().read().engine_rpm == 1500);
+  LiveStates states(exchange.handoff());
+  CHECK(states.at(monotonic_s()).engine_rpm == 0);
+  say(exchange, {Signal::kEngineRpm}, 1500);
+  CHECK(states.at(monotonic_s()).engine_rpm == 1500);
   DrillControls controls;
   controls.decay_factor = 2;
   exchange.set_controls(1, controls);
-  CHECK(exchange.handoff().read().boom[1].controls.decay_factor == 2);
-  CHECK(exchange.handoff().read().boom[0].controls.decay_factor == 1);
+  CHECK(states.at(monotonic_s()).boom[1].controls.decay_factor == 2);
+  CHECK(states.at(monotonic_s()).boom[0].controls.decay_factor == 1);
 }
 
 TEST_CASE("Mute and gate shut the sound, each by itself") {
   StateExchange exchange{SafetyOptions{}};
+  LiveStates states(exchange.handoff());
   exchange.set_muted(true, 0);
-  CHECK(exchange.handoff().read().safety_gain == 0);
+  CHECK(states.at(monotonic_s()).output_gain == 0);
   exchange.set_gate(0, 0);
   exchange.set_muted(false, 0);
-  CHECK(exchange.handoff().read().safety_gain == 0);
+  CHECK(states.at(monotonic_s()).output_gain == 0);
   exchange.set_gate(1, 0);
-  CHECK(exchange.handoff().read().safety_gain == 1);
+  CHECK(states.at(monotonic_s()).output_gain == 1);
+}
+
+TEST_CASE("Fades and ageing go on although nobody says anything") {
+  SafetyOptions safety;
+  for (SafetyRule& rule : safety.rule) rule = {0.5, SafetyAction::kIdle};
+  safety.fade_s = 0.2;
+  StateExchange exchange{safety};
+  LiveStates states(exchange.handoff());
+  const double start_s = monotonic_s();
+  say(exchange, {Signal::kFeedPressureBar}, 100);
+  CHECK(states.at(start_s + 0.1).boom[0].feed_pressure_bar == 100);
+  double last = 100;
+  for (int block = 0; block < 400; ++block) {
+    const double feed =
+        static_cast<double>(states.at(start_s + 0.4 + 0.001 * block).boom[0].feed_pressure_bar);
+    CHECK(last - feed <= 0.51 + 1e-4);  // 100 bar in 200 blocks of 1 ms, never a step
+    last = feed;
+  }
+  CHECK(last == 0);
+  exchange.set_muted(true, 0.1);
+  const double muted_s = monotonic_s();
+  CHECK(states.at(muted_s + 0.05).output_gain == doctest::Approx(0.5).epsilon(0.05));
+  CHECK(states.at(muted_s + 0.2).output_gain == 0);
 }
 
 TEST_CASE("A fade moves evenly and ends at its target") {
@@ -46,35 +82,33 @@ TEST_CASE("A fade moves evenly and ends at its target") {
 
 TEST_CASE("New safety rules keep what is known of the signals") {
   StateExchange exchange{SafetyOptions{}};
-  exchange.change([](SignalBoard& board) {
-    board.update({Signal::kEngineRpm}, 1500, monotonic_s());
-    board.update({Signal::kRodCount, 1}, 4, monotonic_s());
-    board.invalidate({Signal::kRodCount, 1}, Validity::kBusDown);
-  });
+  say(exchange, {Signal::kEngineRpm}, 1500);
+  say(exchange, {Signal::kRodCount, 1}, 4);
+  exchange.change([](SignalBoard& board) { board.take({{Signal::kRodCount, 1}, 0, Validity::kBusDown, 0}); });
   exchange.set_safety(SafetyOptions{});
-  CHECK(exchange.reading({Signal::kEngineRpm}).value == 1500);
-  CHECK(exchange.reading({Signal::kEngineRpm}).validity == Validity::kValid);
-  CHECK(exchange.reading({Signal::kRodCount, 1}).validity == Validity::kBusDown);
-  CHECK(exchange.reading({Signal::kRock}).validity == Validity::kNeverSeen);
+  const SignalBoard board = exchange.board();
+  CHECK(board.entry({Signal::kEngineRpm}).value == 1500);
+  CHECK(board.entry({Signal::kEngineRpm}).validity == Validity::kValid);
+  CHECK(board.entry({Signal::kRodCount, 1}).validity == Validity::kBusDown);
+  CHECK(board.entry({Signal::kRock}).validity == Validity::kNeverSeen);
 }
 
 // Under the thread sanitizer this shows that buses, main and audio may meet here.
 TEST_CASE("Several writers and one reader at once") {
   StateExchange exchange{SafetyOptions{}};
+  LiveStates states(exchange.handoff());
   std::atomic<bool> stop{false};
-  std::thread ticker([&] {
-    while (!stop) exchange.tick();
+  std::thread control([&] {
+    while (!stop) exchange.set_controls(0, {});
   });
   std::thread bus([&] {
-    for (int i = 0; i < 5000; ++i)
-      exchange.change(
-          [&](SignalBoard& board) { board.update({Signal::kEngineRpm}, i % 4000, monotonic_s()); });
+    for (int i = 0; i < 5000; ++i) say(exchange, {Signal::kFeedPressureBar}, i % 300);
     stop = true;
   });
   float seen = 0;
-  while (!stop) seen = exchange.handoff().read().engine_rpm;
-  ticker.join();
+  while (!stop) seen = std::max(seen, states.at(monotonic_s()).boom[0].feed_pressure_bar);
+  control.join();
   bus.join();
-  CHECK(exchange.handoff().read().engine_rpm == 999);
-  CHECK(seen <= 4000);
+  CHECK(states.at(monotonic_s()).boom[0].feed_pressure_bar == 199);
+  CHECK(seen <= 299);
 }

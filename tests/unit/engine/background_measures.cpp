@@ -62,7 +62,7 @@ TrackerError tracker_error() {
       next += 0.02, sent = next;
     }
     if (t < 1) continue;
-    const double cents = 1200 * std::log2(tracker.at(t) / truth(t));
+    const double cents = 1200 * std::log2(tracker.at(t).rpm / truth(t));
     if (t > 2.2 && t < 4) ramp += cents * cents, ++ramps;
     if (t > 5) settled += cents * cents, ++settles;
     if (t > 4) overshoot = std::max(overshoot, cents);

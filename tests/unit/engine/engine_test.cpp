@@ -86,9 +86,9 @@ TEST_CASE("a muted rig falls silent, fully, and comes back") {
     return engine.meters().peak;
   };
   CHECK(run(1) > 0.01f);
-  state.safety_gain = 0;
+  state.output_gain = 0;
   CHECK(run(1) == 0);
-  state.safety_gain = 1;
+  state.output_gain = 1;
   CHECK(run(1) > 0.01f);
 }
 

@@ -113,14 +113,14 @@ TEST_CASE("open rattling starts with its burst and settles") {
 TEST_CASE("nonsense from outside is brought into range") {
   MachineState state;
   state.engine_rpm = std::nanf("");
-  state.safety_gain = std::nanf("");
+  state.output_gain = std::nanf("");
   state.master_gain_db = 40;
   state.boom[0].feed_pressure_bar = 1e30f;
   state.boom[0].controls.decay_factor = -INFINITY;
   state.boom[0].controls.mean_frequency_hz = std::nanf("");
   const MachineState safe = guarded(state);
   CHECK(safe.engine_rpm == 0);
-  CHECK(safe.safety_gain == 0);
+  CHECK(safe.output_gain == 0);
   CHECK(safe.master_gain_db == 0);
   CHECK(safe.boom[0].feed_pressure_bar == 300);
   CHECK(safe.boom[0].controls.decay_factor == 0.25f);

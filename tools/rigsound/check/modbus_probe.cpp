@@ -26,7 +26,7 @@ constexpr std::pair<WordOrder, std::string_view> kOrders[] = {{WordOrder::kAbcd,
 /// Keeps what a device answers.
 class Answers : public modbus::ModbusListener {
  public:
-  void readings(const std::vector<modbus::Reading>& readings) override { told_ += readings.size(); }
+  void readings(const std::vector<Reading>& readings) override { told_ += readings.size(); }
   void exchange(const Exchange& exchange) override { exchanges_.push_back(exchange); }
   void up() override {}
   void down(const std::string& why) override { throw DeviceError(why); }

@@ -31,7 +31,7 @@ class Link : private modbus::ModbusListener {
   void require_open() { news_.require_up(); }
 
  private:
-  void readings(const std::vector<modbus::Reading>&) override {}
+  void readings(const std::vector<Reading>&) override {}
   void exchange(const modbus::Exchange& exchange) override {
     file_.add([&](log::ModbusCaptureWriter& writer) {
       writer.write(realtime_ns(), exchange);

@@ -1,11 +1,11 @@
-// Frames of one CAN bus into readings on the signal board.
+// Frames of one CAN bus into readings.
 #pragma once
 
 #include <vector>
 
 #include "rigsound/can/can_options.hpp"
 #include "rigsound/can/frame.hpp"
-#include "rigsound/machine/signal_board.hpp"
+#include "rigsound/machine/reading.hpp"
 
 namespace rigsound::can {
 
@@ -13,9 +13,9 @@ class FrameDecoder {
  public:
   explicit FrameDecoder(std::vector<SignalRoute> routes) : routes_(std::move(routes)) {}
 
-  /// Puts every signal of the frame on the board, as seen at `time_s`. Returns false when the frame
+  /// Adds a reading for every signal of the frame to `out`, true at `time_s`. Returns false when the frame
   /// carries no message this bus knows. Thread: CT.
-  bool decode(const Frame& frame, double time_s, SignalBoard& board) const;
+  bool decode(const Frame& frame, double time_s, std::vector<Reading>& out) const;
 
   const std::vector<SignalRoute>& routes() const { return routes_; }
 

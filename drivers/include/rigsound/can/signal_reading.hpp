@@ -17,7 +17,7 @@ int last_byte(const BitField& field);
 std::optional<std::uint64_t> extract(const BitField& field, const Frame& frame);
 
 /// `validity` is kValid (with `value`), kErrorValue or kNotAvailable.
-struct Reading {
+struct Decoded {
   Validity validity = Validity::kNotAvailable;
   double value = 0;
 };
@@ -25,7 +25,7 @@ struct Reading {
 /// Nothing when a selector says that the signal is not in this frame. A signal that does not fit into the
 /// frame is kNotAvailable. `j1939`: raw values that J1939-71 sets apart for errors (top byte 0xFE) and for
 /// "not available" (0xFF) are no values. Thread: any.
-std::optional<Reading> read_signal(const SignalLayout& layout, bool j1939, const Frame& frame);
+std::optional<Decoded> read_signal(const SignalLayout& layout, bool j1939, const Frame& frame);
 
 /// True when the frame carries the message. Remote and error frames carry none.
 bool matches(const MessageMatch& match, const Frame& frame);

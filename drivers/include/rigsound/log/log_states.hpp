@@ -4,6 +4,7 @@
 #include "rigsound/audio/block_loop.hpp"
 #include "rigsound/log/bus_log.hpp"
 #include "rigsound/machine/signal_board.hpp"
+#include "rigsound/machine/state_resolver.hpp"
 
 namespace rigsound::log {
 
@@ -12,19 +13,21 @@ namespace rigsound::log {
 class LogStates : public audio::StateSource {
  public:
   LogStates(BusLog& log, const SafetyOptions& safety, const EngineOptions& options)
-      : log_(log), board_(safety), block_s_(options.block / options.sample_rate) {}
+      : log_(log), safety_(safety), block_s_(options.block / options.sample_rate) {}
 
   const MachineState* state_of(std::uint64_t number) override {
     if (!log_.next_s()) return nullptr;
     const double now_s = static_cast<double>(number) * block_s_;
-    log_.advance(now_s, board_);
-    state_ = board_.resolve(now_s);
+    const bool told = log_.advance(now_s, board_);
+    if (told || resolver_.due(now_s)) state_ = resolver_.resolve(board_, safety_, now_s);
     return &state_;
   }
 
  private:
   BusLog& log_;
+  SafetyOptions safety_;
   SignalBoard board_;
+  StateResolver resolver_;
   double block_s_;
   MachineState state_;
 };

@@ -18,7 +18,7 @@ class ModbusLog : public BusLog {
   ModbusLog(const std::filesystem::path& file, const std::vector<modbus::ModbusOptions>& links);
 
   std::optional<double> next_s() override;
-  void advance(double until_s, SignalBoard& board) override;
+  bool advance(double until_s, SignalBoard& board) override;
   std::vector<LogNote> notes() const override;
 
  private:

@@ -12,7 +12,7 @@
 
 namespace rigsound::log {
 
-constexpr int kSessionFormat = 1;
+constexpr int kSessionFormat = 2;  ///< 2: speed with its slope, one output gain
 
 /// What must be the same for the same samples to come out.
 struct SessionHeader {

@@ -5,18 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "rigsound/machine/signal.hpp"
-#include "rigsound/machine/signal_board.hpp"
+#include "rigsound/machine/reading.hpp"
 #include "rigsound/modbus/modbus_options.hpp"
 
 namespace rigsound::modbus {
-
-/// What the bus said about one machine signal. Plain data. Thread: any.
-struct Reading {
-  SignalId target{};
-  double value = 0;  ///< in the signal's unit; may be anything a bus can say, NaN included
-  Validity validity = Validity::kValid;  ///< anything else: the bus said that there is no value
-};
 
 struct Exchange {
   int unit = 255;
@@ -32,11 +24,9 @@ int width(const RegisterRoute& route);
 /// The value of a route whose first register (or bit) is `first`, `width(route)` of them.
 double decode(const RegisterRoute& route, const std::uint16_t* first);
 
-/// One reading for every route that lies wholly inside the exchange, added to `out`.
-void readings(const Exchange& exchange, const std::vector<RegisterRoute>& routes, std::vector<Reading>& out);
-
-/// Tells the board. Thread: as SignalBoard.
-void apply(const Reading& reading, double time_s, SignalBoard& board);
+/// One reading for every route that lies wholly inside the exchange, true at `time_s`, added to `out`.
+void readings(const Exchange& exchange, const std::vector<RegisterRoute>& routes, double time_s,
+              std::vector<Reading>& out);
 
 /// `holding 0 = 40001`: the address on the wire and the one of the field's manuals.
 std::string describe(Table table, std::uint16_t address);

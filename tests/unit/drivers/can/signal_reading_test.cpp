@@ -162,12 +162,16 @@ TEST_CASE("a short frame invalidates the signals that do not fit and updates the
   FrameDecoder decoder(
       {{rpm, "EEC1.EngSpeed", kEec1, kEngineSpeed, 0.02},
        {load, "EEC1.Load", kEec1, layout(0, 8, ByteOrder::kIntel, ValueType::kUnsigned, 0.01), 0.02}});
-  SignalBoard board(SafetyOptions{});
-  CHECK(decoder.decode(frame(0x0CF00400, {50, 0, 0, 0x20, 0x4E}), 1, board));
-  CHECK(decoder.decode(frame(0x0CF00400, {60, 0, 0, 0x20}), 2, board));
-  CHECK_FALSE(decoder.decode(frame(0x0CF00300, {70, 0, 0, 0x20}), 3, board));
-  CHECK(board.reading(rpm, 3).validity == Validity::kNotAvailable);
-  CHECK(board.reading(rpm, 3).value == 2500);
-  CHECK(board.reading(load, 3).validity == Validity::kValid);
-  CHECK(board.reading(load, 3).value == 0.6);
+  std::vector<Reading> readings;
+  CHECK(decoder.decode(frame(0x0CF00400, {50, 0, 0, 0x20, 0x4E}), 1, readings));
+  CHECK(decoder.decode(frame(0x0CF00400, {60, 0, 0, 0x20}), 2, readings));
+  CHECK_FALSE(decoder.decode(frame(0x0CF00300, {70, 0, 0, 0x20}), 3, readings));
+  REQUIRE(readings.size() == 4);
+  CHECK(readings[0].value == 2500);
+  CHECK(readings[0].time_s == 1);
+  CHECK(readings[2].id.signal == rpm.signal);
+  CHECK(readings[2].validity == Validity::kNotAvailable);
+  CHECK(readings[3].id.signal == load.signal);
+  CHECK(readings[3].value == 0.6);
+  CHECK(readings[3].time_s == 2);
 }

@@ -85,14 +85,14 @@ TEST_CASE("A capture plays onto the board at its own times") {
                                modbus::WordOrder::kAbcd, 0.1),
                  modbus::route(Signal::kPercussion, Table::kCoil, 1)};
   ModbusLog log(file.path, {link});
-  SignalBoard board{SafetyOptions{}};
+  SignalBoard board;
   log.advance(0, board);
-  CHECK(board.reading({Signal::kFeedPressureBar}, 0).value == doctest::Approx(85.5));
-  CHECK(board.reading({Signal::kPercussion}, 0).validity == Validity::kNeverSeen);
+  CHECK(board.entry({Signal::kFeedPressureBar}).value == doctest::Approx(85.5));
+  CHECK(board.entry({Signal::kPercussion}).validity == Validity::kNeverSeen);
   CHECK(*log.next_s() == doctest::Approx(1.5));
   log.advance(5, board);
-  CHECK(board.reading({Signal::kPercussion}, 5).value == 1);
-  CHECK(board.reading({Signal::kPercussion}, 5).seen_s == doctest::Approx(4.5));
+  CHECK(board.entry({Signal::kPercussion}).value == 1);
+  CHECK(board.entry({Signal::kPercussion}).seen_s == doctest::Approx(4.5));
 }
 
 TEST_CASE("Streams take repeated, overlapping and lost segments as TCP does") {

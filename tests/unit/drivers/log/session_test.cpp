@@ -165,8 +165,8 @@ TEST_CASE("What is no session is refused") {
   const Folder folder;
   CHECK_THROWS_AS(SessionStates(folder.path / "missing.rigsession"), InputError);
   for (const std::string& text :
-       {std::string(), std::string("RIFF....WAVE"), std::string("rigsound-session 2\n\n"),
-        std::string("rigsound-session 1\nseed x\n\n")}) {
+       {std::string(), std::string("RIFF....WAVE"), std::string("rigsound-session 1\n\n"),
+        std::string("rigsound-session 2\nseed x\n\n")}) {
     write_bytes(folder.file, text);
     CHECK_THROWS_AS(SessionStates{folder.file}, InputError);
   }

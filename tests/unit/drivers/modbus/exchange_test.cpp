@@ -44,10 +44,11 @@ TEST_CASE("An exchange gives a reading for each route wholly inside it") {
   exchange.address = 11;
   exchange.values = {0xB000, 85, 7};
   std::vector<Reading> found;
-  readings(exchange, routes, found);
+  readings(exchange, routes, 3.5, found);
   REQUIRE(found.size() == 1);
-  CHECK(found[0].target.signal == Signal::kFeedPressureBar);
+  CHECK(found[0].id.signal == Signal::kFeedPressureBar);
   CHECK(found[0].value == 85);
+  CHECK(found[0].time_s == 3.5);
 }
 
 TEST_CASE("Addresses are told as on the wire and as in the field's manuals") {

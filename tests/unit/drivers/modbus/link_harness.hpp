@@ -17,7 +17,7 @@ class Told : public ModbusListener {
  public:
   void readings(const std::vector<Reading>& readings) override {
     const std::lock_guard<std::mutex> lock(mutex_);
-    for (const Reading& r : readings) latest_[r.target.signal] = r;
+    for (const Reading& r : readings) latest_[r.id.signal] = r;
     total_ += readings.size();
   }
   void up() override { add(ups_); }

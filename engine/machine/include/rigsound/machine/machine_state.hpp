@@ -1,46 +1,65 @@
-// What the machine is doing: the one type that crosses every wall.
+// The machine's state as the engine is given it with every block. Plain data, field units, no pointers.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
 #include "rigsound/machine/limits.hpp"
+#include "rigsound/machine/signal_list.hpp"
 
 namespace rigsound {
 
 enum class Rattling : std::uint8_t { kNone, kClosed, kOpen };
 
-/// Percussion as the bus reports it; `kFromFeed` when no bus does: on while the feed pressure is over
-/// the contact threshold, or while rattling.
+/// `kFromFeed`: no bus says; on while the feed pressure is over the contact threshold, or while rattling.
 enum class Percussion : std::uint8_t { kOff, kOn, kFromFeed };
 
-/// The six live controls of the drilling paper (section 4.4), per boom. All neutral by default.
+#define RIGSOUND_MEMBER(id, member, type, unit, min, max, absent, ...) \
+  type member = static_cast<type>(absent);
+#define RIGSOUND_CONTROL_MEMBER(member, unit, min, max, neutral, ...) float member = neutral;
+
+/// Units, ranges and meanings: signal_list.hpp. All neutral by default.
 struct DrillControls {
-  float mean_frequency_hz = 0;    ///< 0: the machine's or the bank's own rate; else 1...100 Hz
-  float mean_amplitude_db = 0;    ///< -60...+24 dB
-  float deviation_time = 1;       ///< factor on sigma_T, 0...4
-  float deviation_amplitude = 1;  ///< factor on sigma_B, 0...4
-  float attack_factor = 1;        ///< factor on N_a, 0.1...10
-  float decay_factor = 1;         ///< factor on alpha_d, 0.25...10
+  RIGSOUND_DRILL_CONTROLS(RIGSOUND_CONTROL_MEMBER)
 };
 
 struct BoomState {
-  float feed_pressure_bar = 0;  ///< bar, 0...300; 0: not feeding
-  Rattling rattling = Rattling::kNone;
-  Percussion percussion = Percussion::kFromFeed;
-  float percussion_rate_hz = 0;  ///< Hz, 5...80; 0: the bank's own rate
-  std::uint8_t rod_count = 1;    ///< 1...20
-  std::uint16_t rock = 0;        ///< index of a rock named in the sound set
+  RIGSOUND_BOOM_SIGNALS(RIGSOUND_MEMBER)
   DrillControls controls;
 };
 
-/// Plain data, field units, no pointers. Signals that were never seen keep the value that means "absent".
+/// A signal that was never seen has the value that means "absent".
 struct MachineState {
-  float engine_rpm = 0;      ///< r/min, 0...4000; 0: diesel off
-  float engine_load = -1;    ///< 0...1; negative: the scene derives it from feed and percussion
-  float master_gain_db = 0;  ///< dB, -60...0
-  float safety_gain = 1;     ///< 0...1, falls to 0 when a `mute` safety rule acts
+  RIGSOUND_RIG_SIGNALS(RIGSOUND_MEMBER)
+  float engine_rpm_slope = 0;  ///< r/min a second: how engine_rpm goes on until the next state
+  float output_gain = 1;       ///< 0...1: safety rule `mute`, the user's mute and the daemon's fades together
   std::array<BoomState, kMaxBooms> boom{};
 };
+
+#undef RIGSOUND_MEMBER
+#undef RIGSOUND_CONTROL_MEMBER
+
+/// Calls `visit` with every field in the order of the list: rig signals, slope, gain, then boom by boom its
+/// signals and its controls. `State`: MachineState, const or not.
+template <class State, class Visit>
+void for_each_field(State& state, Visit visit) {
+#define RIGSOUND_VISIT_RIG(id, member, ...) visit(state.member);
+#define RIGSOUND_VISIT_BOOM(id, member, ...) visit(boom.member);
+#define RIGSOUND_VISIT_CONTROL(member, ...) visit(boom.controls.member);
+  RIGSOUND_RIG_SIGNALS(RIGSOUND_VISIT_RIG)
+  visit(state.engine_rpm_slope);
+  visit(state.output_gain);
+  for (auto& boom : state.boom) {
+    RIGSOUND_BOOM_SIGNALS(RIGSOUND_VISIT_BOOM)
+    RIGSOUND_DRILL_CONTROLS(RIGSOUND_VISIT_CONTROL)
+  }
+#undef RIGSOUND_VISIT_RIG
+#undef RIGSOUND_VISIT_BOOM
+#undef RIGSOUND_VISIT_CONTROL
+}
+
+/// Field by field: padding does not count. Thread: any.
+bool operator==(const MachineState& a, const MachineState& b) noexcept;
+inline bool operator!=(const MachineState& a, const MachineState& b) noexcept { return !(a == b); }
 
 }  // namespace rigsound

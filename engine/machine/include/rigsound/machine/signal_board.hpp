@@ -1,75 +1,40 @@
-// The latest reading of every signal, and the safety rule that turns readings into a MachineState.
+// The latest reading of every signal.
 #pragma once
 
 #include <array>
 
 #include "rigsound/machine/limits.hpp"
-#include "rigsound/machine/machine_state.hpp"
-#include "rigsound/machine/signal.hpp"
+#include "rigsound/machine/reading.hpp"
+#include "rigsound/machine/rpm_tracker.hpp"
 
 namespace rigsound {
 
-/// What happens when a signal is no longer valid: keep its last good value, go to the value that means
-/// quiet, or fade the whole rig out.
-enum class SafetyAction : std::uint8_t { kHold, kIdle, kMute };
-
-struct SafetyRule {
-  double stale_after_s = 0;  ///< age at which the signal goes stale; 0: never
-  SafetyAction action = SafetyAction::kHold;
-};
-
-struct SafetyOptions {
-  std::array<SafetyRule, kSignalCount> rule{};
-  double fade_s = 0.3;    ///< time a safety action takes to act, and to let go
-  double idle_rpm = 800;  ///< where `idle` brings the diesel, r/min; one that turned slower stays there
-};
-
-/// Collects readings from buses and resolves them at block boundaries. Deterministic: the result depends
-/// on the readings and the times passed in, never on a clock. Thread: CT (one thread at a time).
+/// Collects readings from buses. Deterministic: it depends on the readings and the times in them, never on a
+/// clock. Plain data that may be copied to another thread. Thread: one at a time.
 class SignalBoard {
  public:
-  explicit SignalBoard(const SafetyOptions& options);
+  /// A value outside the signal's range, NaN, or one that is no value of a word is recorded as kOutOfRange
+  /// and counted; the last good value stays. What is no value (error code, not available, bus down) likewise;
+  /// a signal that was never seen stays so. A later good one heals any. Returns the validity recorded.
+  Validity take(const Reading& reading) noexcept;
 
-  /// A value as decoded from a bus, in the signal's unit. NaN or a value outside the signal's range is
-  /// recorded as invalid (kOutOfRange) and the last good value stays; the value that means "absent" may be
-  /// said too. Returns the validity recorded.
-  Validity update(SignalId id, double value, double time_s);
-
-  /// The bus said something that is no value (error code, not available), or is down. A signal that was
-  /// never seen stays so; a later update() heals any other.
-  void invalidate(SignalId id, Validity why);
-
-  struct Reading {
+  struct Entry {
     double value = 0;   ///< last good value
     double seen_s = 0;  ///< when it was last good
     Validity validity = Validity::kNeverSeen;
+    std::uint32_t refused = 0;  ///< readings that were no value or out of range
+    double last_refused = 0;    ///< the last value out of range
   };
-  /// The reading as of `now_s`: a valid one older than its rule allows is kStale.
-  Reading reading(SignalId id, double now_s) const;
+  const Entry& entry(SignalId id) const noexcept;
 
-  /// The state the engine shall be told from `now_s` on. Times must not run backwards.
-  MachineState resolve(double now_s);
+  /// The entry's validity as of `now_s`: a valid one older than the rule allows is kStale.
+  Validity validity(SignalId id, const SafetyRule& rule, double now_s) const noexcept;
 
-  /// The engineering value now standing for a signal after the safety rule, as resolve() last set it.
-  double resolved(SignalId id) const;
+  const RpmTracker& speed() const noexcept { return speed_; }
 
  private:
-  struct Cell {
-    Reading reading;
-    double shown = 0;     ///< resolved value
-    double distrust = 0;  ///< 0: the reading stands, 1: the safety rule does; moves over fade_s
-  };
-  const Cell& cell(SignalId id) const;
-  Cell& cell(SignalId id);
-  double rest_value(Signal s, double last_good) const;
-  Reading reading_of(const Cell& c, Signal s, double now_s) const;
-  void settle(Signal s, Cell& c, double now_s, double step, bool& mute);
-
-  SafetyOptions options_;
-  std::array<std::array<Cell, kMaxBooms>, kSignalCount> cells_;
-  double safety_gain_ = 1;
-  double last_s_ = 0;
-  bool started_ = false;
+  std::array<std::array<Entry, kMaxBooms>, kSignalCount> entries_{};
+  RpmTracker speed_;
 };
 
 }  // namespace rigsound
