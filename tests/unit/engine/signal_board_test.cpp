@@ -89,9 +89,10 @@ TEST_CASE("idle: a stale pressure fades to quiet over fade_s and back when it re
   CHECK(board.resolve(0.6).boom[0].feed_pressure_bar == doctest::Approx(50).epsilon(0.02));
   CHECK(board.resolve(0.701).boom[0].feed_pressure_bar == 0);
   CHECK(board.validity(kFeed, 0.7) == Validity::kStale);
+  board.resolve(0.8);
   board.update(kFeed, 80, 0.8);
-  CHECK(board.resolve(0.8).boom[0].feed_pressure_bar == doctest::Approx(40).epsilon(0.02));
-  CHECK(board.resolve(0.9).boom[0].feed_pressure_bar == doctest::Approx(80).epsilon(0.02));
+  CHECK(board.resolve(0.9).boom[0].feed_pressure_bar == doctest::Approx(40).epsilon(0.02));
+  CHECK(board.resolve(1.0).boom[0].feed_pressure_bar == doctest::Approx(80).epsilon(0.02));
 }
 
 TEST_CASE("idle: a diesel goes to its idle speed, and is not started by a broken bus") {
