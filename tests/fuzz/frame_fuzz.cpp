@@ -5,6 +5,7 @@
 
 #include "fuzz_target.hpp"
 #include "rigsound/can/frame_decoder.hpp"
+#include "rigsound/machine/state_resolver.hpp"
 
 using namespace rigsound;
 

@@ -39,8 +39,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::size_t wanted = request.write ? static_cast<std::size_t>(request.write->count) : 0;
   if (change.values.size() != wanted) std::abort();
   std::vector<Reading> written;
-  readings(change, routes(), written);
+  readings(change, routes(), 0, written);
   for (const Reading& r : written)
-    if (!(r.value >= info(r.target.signal).min && r.value <= info(r.target.signal).max)) std::abort();
+    if (!info(r.id.signal).takes(r.value)) std::abort();
   return 0;
 }
