@@ -41,39 +41,77 @@ struct Boom {
   std::optional<tool::ToolLayer> tool;
 };
 
-}  // namespace
-
-struct Engine::Parts {
-  Parts(const EngineOptions& o, SoundSet s)
-      : options(o),
-        sounds(std::move(s)),
-        rig(options),
+/// Everything that changes while the engine plays; copied to begin anew. No copy of a copy allocates.
+struct Playing {
+  Playing(const EngineOptions& options, const SoundSet& sounds)
+      : rig(options),
         diesel(sounds.diesels, options.sample_rate, options.seed, options.scene.idle_rpm),
         mixer(options) {
     for (int b = 0; b < static_cast<int>(options.booms.size()); ++b) booms.emplace_back(options, sounds, b);
   }
 
-  void latch(const MachineState& state) noexcept;
-  void measure(const float* out) noexcept;
+  void set(const MachineState& state) noexcept;
 
-  EngineOptions options;
-  SoundSet sounds;
   scene::RigScene rig;
   std::vector<Boom> booms;
   diesel::DieselLayer diesel;
   mix::Mixer mixer;
+};
+
+void Playing::set(const MachineState& state) noexcept {
+  int hammering = 0;
+  for (std::size_t b = 0; b < booms.size(); ++b) {
+    booms[b].scene.set(state.boom[b]);
+    hammering += booms[b].scene.hammering() ? 1 : 0;
+  }
+  rig.set(state, static_cast<int>(booms.size()), hammering);
+}
+
+}  // namespace
+
+struct Engine::Parts {
+  Parts(const EngineOptions& o, SoundSet s)
+      : options(o), sounds(std::move(s)), fresh(options, sounds), playing(fresh) {}
+
+  void set(const MachineState& state) noexcept;
+  void process_chunk(float* out) noexcept;
+  void measure(const float* out) noexcept;
+
+  EngineOptions options;
+  SoundSet sounds;
+  const Playing fresh;  ///< as it was built
+  Playing playing;
+  MachineState state;  ///< as last told
+  bool told = false, begun = false;
   mix::Buses buses{};
   EngineMeters meters;
 };
 
-void Engine::Parts::latch(const MachineState& state) noexcept {
-  const MachineState safe = guarded(state);
-  int hammering = 0;
-  for (std::size_t b = 0; b < booms.size(); ++b) {
-    booms[b].scene.latch(safe.boom[b]);
-    hammering += booms[b].scene.hammering() ? 1 : 0;
+void Engine::Parts::set(const MachineState& next) noexcept {
+  if (told && next == state) return;
+  told = true;
+  state = next;
+  playing.set(guarded(state));
+}
+
+/// While the simulator is paused time stands still, once the sound has faded; after `reset` it begins anew.
+void Engine::Parts::process_chunk(float* out) noexcept {
+  Playing& p = playing;
+  if (p.rig.stands_still()) {
+    if (begun && state.simulation == Simulation::kReset) {
+      playing = fresh;
+      playing.set(guarded(state));
+      begun = false;
+    }
+    std::fill(out, out + kChunk * options.channels, 0.0F);
+    return;
   }
-  rig.latch(safe, static_cast<int>(booms.size()), hammering);
+  begun = true;
+  for (std::size_t b = 0; b < p.booms.size(); ++b) p.booms[b].process(buses.drill[b], buses.tool[b]);
+  p.rig.advance();
+  p.diesel.process(p.rig.diesel(), buses.diesel);
+  p.mixer.process(buses, p.rig.gain(), out);
+  meters.limiter_gain = std::min(meters.limiter_gain, static_cast<float>(p.mixer.lowest_gain()));
 }
 
 void Engine::Parts::measure(const float* out) noexcept {
@@ -87,7 +125,7 @@ void Engine::Parts::measure(const float* out) noexcept {
   meters.peak = peak;
   meters.rms = static_cast<float>(std::sqrt(energy / samples));
   meters.lost_clicks = 0;
-  for (const Boom& boom : booms) meters.lost_clicks += boom.drill.lost();
+  for (const Boom& boom : playing.booms) meters.lost_clicks += boom.drill.lost();
 }
 
 Engine::Engine(const EngineOptions& options, SoundSet sounds) {
@@ -100,17 +138,9 @@ Engine& Engine::operator=(Engine&&) noexcept = default;
 
 void Engine::process(const MachineState& state, float* out) noexcept {
   Parts& p = *parts_;
-  p.latch(state);
+  p.set(state);
   p.meters.limiter_gain = 1;
-  float* chunk = out;
-  for (int n = 0; n < p.options.block; n += kChunk) {
-    for (std::size_t b = 0; b < p.booms.size(); ++b) p.booms[b].process(p.buses.drill[b], p.buses.tool[b]);
-    p.rig.advance();
-    p.diesel.process(p.rig.diesel(), p.buses.diesel);
-    p.mixer.process(p.buses, p.rig.gain(), chunk);
-    p.meters.limiter_gain = std::min(p.meters.limiter_gain, static_cast<float>(p.mixer.lowest_gain()));
-    chunk += kChunk * p.options.channels;
-  }
+  for (int n = 0; n < p.options.block; n += kChunk) p.process_chunk(out + n * p.options.channels);
   p.measure(out);
 }
 

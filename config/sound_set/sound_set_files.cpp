@@ -64,7 +64,7 @@ SoundSet load_sound_set(const fs::path& sound_set, double sample_rate) {
   const fs::path index_file = sound_set / "soundset.toml";
   require_every_situation(index_file, index);
   SoundSet set;
-  set.rocks = index.rocks;
+  for (const std::string& rock : index.rocks) set.rocks.push_back({rock});
   BankShelf shelf(sound_set / "banks", index_file, sample_rate);
   for (const BankEntry& entry : index.banks)
     set.uses.push_back(

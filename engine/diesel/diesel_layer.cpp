@@ -154,8 +154,13 @@ DieselLayer::DieselLayer(const std::vector<DieselModel>& models, double sample_r
   if (!models.empty()) voice_ = std::make_unique<Voice>(models.front(), sample_rate, seed, idle_rpm);
 }
 DieselLayer::~DieselLayer() = default;
+DieselLayer::DieselLayer(const DieselLayer& other)
+    : voice_(other.voice_ ? std::make_unique<Voice>(*other.voice_) : nullptr) {}
 DieselLayer::DieselLayer(DieselLayer&&) noexcept = default;
-DieselLayer& DieselLayer::operator=(DieselLayer&&) noexcept = default;
+DieselLayer& DieselLayer::operator=(const DieselLayer& other) noexcept {
+  if (voice_ && other.voice_ && this != &other) *voice_ = *other.voice_;
+  return *this;
+}
 
 void DieselLayer::process(const DieselInput& input, double* out) noexcept {
   if (voice_)

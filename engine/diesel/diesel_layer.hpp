@@ -20,8 +20,10 @@ class DieselLayer {
   DieselLayer(const std::vector<DieselModel>& models, double sample_rate, std::uint64_t seed,
               double idle_rpm);
   ~DieselLayer();
+  DieselLayer(const DieselLayer& other);
   DieselLayer(DieselLayer&&) noexcept;
-  DieselLayer& operator=(DieselLayer&&) noexcept;
+  /// Takes over another layer of the same model without allocating. Thread: RT.
+  DieselLayer& operator=(const DieselLayer& other) noexcept;
 
   /// The next kChunk samples. Thread: RT.
   void process(const DieselInput& controls, double* out) noexcept;

@@ -19,7 +19,7 @@ double distance(const DieselPoint& point, double rpm, double load) noexcept {
 }  // namespace
 
 GrainSource::GrainSource(const DieselModel& model, std::uint64_t seed)
-    : model_(model),
+    : model_(&model),
       random_(seed, 42),
       M_(model.slot_samples()),
       cycle_samples_(model.angle_samples),
@@ -31,16 +31,16 @@ GrainSource::GrainSource(const DieselModel& model, std::uint64_t seed)
 void GrainSource::pick(double rpm, double load) noexcept {
   std::size_t nearest = 0, second = 0;
   double d1 = 1e9, d2 = 1e9;
-  for (std::size_t i = 0; i < model_.points.size(); ++i) {
-    const double d = distance(model_.points[i], rpm, load);
+  for (std::size_t i = 0; i < model_->points.size(); ++i) {
+    const double d = distance(model_->points[i], rpm, load);
     if (d < d1)
       second = nearest, d2 = d1, nearest = i, d1 = d;
     else if (d < d2)
       second = i, d2 = d;
   }
-  const bool far = model_.points.size() > 1 && random_.uniform(cycle_, 0) < d1 / (d1 + d2 + 1e-12);
+  const bool far = model_->points.size() > 1 && random_.uniform(cycle_, 0) < d1 / (d1 + d2 + 1e-12);
   const std::size_t point = far ? second : nearest;
-  const auto count = model_.points[point].grains.size();
+  const auto count = model_->points[point].grains.size();
   // Among all but the last one: draw from one fewer and step over it.
   const bool skip = point == last_point_ && cycle_ > 0 && count > 1;
   auto grain =
@@ -48,7 +48,7 @@ void GrainSource::pick(double rpm, double load) noexcept {
   if (skip && grain >= last_grain_) ++grain;
   last_point_ = point, last_grain_ = grain;
   before_ = now_;
-  now_ = model_.points[point].grains[grain].data();
+  now_ = model_->points[point].grains[grain].data();
 }
 
 void GrainSource::produce(double rpm, double load, double* out) noexcept {

@@ -13,7 +13,7 @@ namespace rigsound::diesel {
 /// the grain evenly among all but the one before. Equal-power overlap over kGrainOverlap of a cycle.
 class GrainSource {
  public:
-  GrainSource(const DieselModel& model, std::uint64_t seed);  ///< Thread: OFF. Keeps a reference.
+  GrainSource(const DieselModel& model, std::uint64_t seed);  ///< `model` must outlive it. Thread: OFF
 
   /// The next M angle samples; M divides the overlap. `rpm`, `load`: where the machine is. Thread: RT.
   void produce(double rpm, double load, double* out) noexcept;
@@ -21,7 +21,7 @@ class GrainSource {
  private:
   void pick(double rpm, double load) noexcept;
 
-  const DieselModel& model_;
+  const DieselModel* model_;  // outlives this and every copy
   dsp::RandomField random_;
   int M_, cycle_samples_, overlap_samples_;
   std::vector<double> fade_in_;

@@ -4,36 +4,47 @@
 
 namespace rigsound::drill {
 
-ClickPlayer::ClickPlayer(std::uint64_t seed, int boom, int situation) noexcept
-    : random_(seed, 2, static_cast<std::uint64_t>(boom * 16 + situation)) {}
+ClickPlayer::ClickPlayer(std::uint64_t seed, int boom, int voicing) noexcept
+    : random_(seed, 2, static_cast<std::uint64_t>(boom * 16 + voicing)) {}
+
+void ClickPlayer::Rest::add(std::size_t played) noexcept {
+  const std::size_t most = std::min(bank->clicks.size() / 2, kMaxResting);
+  if (most == 0) return;
+  if (count == most) {
+    for (std::size_t i = 1; i < most; ++i) click[i - 1] = click[i];
+    --count;
+  }
+  click[count++] = played;
+}
+
+std::size_t ClickPlayer::Rest::up_to(std::size_t played) const noexcept {
+  std::size_t resting = 0;
+  for (std::size_t i = 0; i < count; ++i) resting += click[i] <= played ? 1 : 0;
+  return resting;
+}
+
+ClickPlayer::Rest& ClickPlayer::rest_of(const ClickBank& bank) noexcept {
+  for (Rest& rest : rests_)
+    if (rest.bank == &bank) return rest;
+  Rest& rest = rests_[next_rest_];
+  next_rest_ = (next_rest_ + 1) % rests_.size();
+  rest = Rest{&bank};
+  return rest;
+}
 
 const std::vector<float>& ClickPlayer::choose(const ClickBank& bank, std::uint64_t index) noexcept {
-  if (bank_ != &bank) bank_ = &bank, resting_count_ = 0;
-  const auto resting_up_to = [this](std::size_t click) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < resting_count_; ++i) count += resting_[i] <= click ? 1 : 0;
-    return count;
-  };
-  const auto rested = static_cast<double>(bank.clicks.size() - resting_count_);
+  Rest& rest = rest_of(bank);
+  const auto rested = static_cast<double>(bank.clicks.size() - rest.count);
   const auto rank = static_cast<std::size_t>(random_.uniform(index, 0) * rested);
   std::size_t pick = rank;  // of all clicks, where `rank` counts the rested ones only
-  while (pick < rank + resting_up_to(pick)) pick = rank + resting_up_to(pick);
-  rest(pick, bank.clicks.size());
+  while (pick < rank + rest.up_to(pick)) pick = rank + rest.up_to(pick);
+  rest.add(pick);
   return bank.clicks[pick];
 }
 
-void ClickPlayer::rest(std::size_t click, std::size_t clicks) noexcept {
-  const std::size_t most = std::min(clicks / 2, kMaxResting);
-  if (most == 0) return;
-  if (resting_count_ == most) {
-    for (std::size_t i = 1; i < most; ++i) resting_[i - 1] = resting_[i];
-    --resting_count_;
-  }
-  resting_[resting_count_++] = click;
-}
-
-void ClickPlayer::strike(const ClickBank& bank, const Impact& impact,
+void ClickPlayer::strike(const BankChoices& banks, const Impact& impact,
                          const DrillControls& controls) noexcept {
+  const ClickBank& bank = banks.drawn(random_.uniform(impact.index, 1));
   const std::vector<float>& click = choose(bank, impact.index);
   const double gain = bank.mean_amplitude * impact.amplitude *
                       dsp::gain_of_db(bank.gain_db + static_cast<double>(controls.mean_amplitude_db));

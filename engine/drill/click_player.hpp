@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "drill/click_voice.hpp"
+#include "drill/drill_input.hpp"
 #include "rigsound/click_bank.hpp"
 #include "rigsound/dsp/random.hpp"
 #include "rigsound/impact.hpp"
@@ -20,12 +21,12 @@ class ClickPlayer {
   /// A click is not played again before half the others of its bank, or this many, have been.
   static constexpr std::size_t kMaxResting = 8;
 
-  /// Players with different (seed, boom, situation) choose independently. Thread: OFF.
-  ClickPlayer(std::uint64_t seed, int boom, int situation) noexcept;
+  /// Players with different (seed, boom, voicing) choose independently. Thread: OFF.
+  ClickPlayer(std::uint64_t seed, int boom, int voicing) noexcept;
 
-  /// A voice takes a click of `bank`, which must outlive it. When every voice is busy the click is
-  /// counted as lost. Thread: RT.
-  void strike(const ClickBank& bank, const Impact& impact, const DrillControls& controls) noexcept;
+  /// Draws a bank, which must outlive the player, and a voice takes a click of it. When every voice is busy
+  /// the click is counted as lost. Thread: RT.
+  void strike(const BankChoices& banks, const Impact& impact, const DrillControls& controls) noexcept;
 
   /// Adds kChunk samples of all sounding clicks to `bus`; returns whether any sounded. Thread: RT.
   bool add_to(double* bus) noexcept;
@@ -33,14 +34,23 @@ class ClickPlayer {
   std::uint64_t lost() const noexcept { return lost_; }
 
  private:
+  /// The last clicks played of one bank.
+  struct Rest {
+    const ClickBank* bank = nullptr;
+    std::array<std::size_t, kMaxResting> click{};  ///< oldest first
+    std::size_t count = 0;
+
+    void add(std::size_t played) noexcept;
+    std::size_t up_to(std::size_t played) const noexcept;
+  };
+
+  Rest& rest_of(const ClickBank& bank) noexcept;
   const std::vector<float>& choose(const ClickBank& bank, std::uint64_t index) noexcept;
-  void rest(std::size_t click, std::size_t clicks) noexcept;
 
   dsp::RandomField random_;
   std::array<ClickVoice, kMaxVoices> voices_{};
-  const ClickBank* bank_ = nullptr;                 ///< the one resting_ counts in
-  std::array<std::size_t, kMaxResting> resting_{};  ///< the last clicks played, oldest first
-  std::size_t resting_count_ = 0;
+  std::array<Rest, kMaxChoices> rests_{};
+  std::size_t next_rest_ = 0;  ///< taken by the next bank that has none
   std::uint64_t lost_ = 0;
 };
 

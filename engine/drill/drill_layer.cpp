@@ -5,19 +5,18 @@
 namespace rigsound::drill {
 
 DrillLayer::DrillLayer(std::uint64_t seed, int boom)
-    : players_{ClickPlayer(seed, boom, 0), ClickPlayer(seed, boom, 1), ClickPlayer(seed, boom, 2),
-               ClickPlayer(seed, boom, 3), ClickPlayer(seed, boom, 4)} {
-  static_assert(kSituationCount == 5, "one player a situation");
+    : players_{ClickPlayer(seed, boom, 0), ClickPlayer(seed, boom, 1), ClickPlayer(seed, boom, 2)} {
+  static_assert(kVoicings == 3, "one player a voicing");
 }
 
 void DrillLayer::process(const DrillInput& input, const Impacts& impacts, double* out) noexcept {
   std::fill(out, out + kChunk, 0.0);
-  for (std::size_t s = 0; s < input.slots.size(); ++s) {
-    const Slot& slot = input.slots[s];
-    if (slot.bank && slot.gain.to > 0)
-      for (const Impact& impact : impacts) players_[s].strike(*slot.bank, impact, input.controls);
+  for (int v = 0; v < kVoicings; ++v) {
+    const Slot& slot = input.slots[v];
+    if (slot.banks.count > 0 && slot.gain.to > 0)
+      for (const Impact& impact : impacts) players_[v].strike(slot.banks, impact, slot.controls);
     double bus[kChunk] = {};
-    if (players_[s].add_to(bus)) dsp::add_scaled(slot.gain, bus, out, kChunk);
+    if (players_[v].add_to(bus)) dsp::add_scaled(slot.gain, bus, out, kChunk);
   }
 }
 

@@ -1,4 +1,4 @@
-// The clicks of one boom: every situation's bank on its own bus, crossfaded by the scene.
+// The clicks of one boom: each voicing's banks on a bus of their own, crossfaded by the scene.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ class DrillLayer {
   std::uint64_t lost() const noexcept;
 
  private:
-  std::array<ClickPlayer, kSituationCount> players_;
+  std::array<ClickPlayer, kVoicings> players_;
 };
 
 }  // namespace rigsound::drill

@@ -58,15 +58,21 @@ Statistics blend(const Statistics& a, const Statistics& b, double share) noexcep
 ImpactTrain::ImpactTrain(std::uint64_t seed, int boom) noexcept
     : random_(seed, 1, static_cast<std::uint64_t>(boom)) {}
 
+/// A missed strike takes the schedule's next place, a double strike stands between two: neither moves the
+/// schedule.
 double ImpactTrain::draw_gap(const Statistics& s) noexcept {
+  if (after_double_ > 0) {
+    const double rest = after_double_;
+    after_double_ = 0;
+    return rest;
+  }
   z_gap_ = autoregress(z_gap_, s.gap_correlation, random_.normal(index_, kGapNormal));
-  double gap = lognormal(s.gap_variation, z_gap_);
+  const double gap = std::max(lognormal(s.gap_variation, z_gap_), kShortestGap);
   const double u = random_.uniform(index_, kMissOrDouble);
-  if (u < s.miss_share)
-    gap *= kMissGap;
-  else if (u < s.miss_share + s.double_share)
-    gap *= kDoubleGap;
-  return std::max(gap, kShortestGap);
+  if (u < s.miss_share) return kMissGap * gap;
+  if (u >= s.miss_share + s.double_share) return gap;
+  after_double_ = (1 - kDoubleGap) * gap;
+  return kDoubleGap * gap;
 }
 
 double ImpactTrain::draw_amplitude(const Statistics& s) noexcept {
@@ -76,6 +82,7 @@ double ImpactTrain::draw_amplitude(const Statistics& s) noexcept {
 
 void ImpactTrain::process(const Statistics& s) noexcept {
   count_ = 0;
+  if (s.snap > 0) impacts_[count_++] = {0, s.snap, index_++};
   if (!(s.mean_gap_samples >= 1)) {
     waited_ = gap_ = 0;
     return;
@@ -85,7 +92,7 @@ void ImpactTrain::process(const Statistics& s) noexcept {
   while (gap_ - waited_ < chunk && count_ < kMaxImpacts) {
     const double onset = std::max(0.0, gap_ - waited_) * s.mean_gap_samples;
     if (!(onset < kChunk)) break;
-    impacts_[static_cast<std::size_t>(count_++)] = {onset, draw_amplitude(s), index_};
+    impacts_[count_++] = {onset, draw_amplitude(s), index_};
     waited_ -= gap_;
     gap_ = draw_gap(s);
     ++index_;

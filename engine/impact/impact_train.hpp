@@ -22,6 +22,7 @@ struct Statistics {
   double double_share = 0;           ///< share of short gaps
   double amplitude_variation = 0;    ///< sigma_B / B
   double amplitude_correlation = 0;  ///< lag-1 correlation of amplitudes
+  double snap = 0;                   ///< amplitude of one impact more, at once (a rod breaks); 0: none
 };
 
 /// The statistics of `bank` under the live controls. `rate_hz` > 0 (the machine's) replaces the bank's
@@ -50,8 +51,9 @@ class ImpactTrain {
   dsp::RandomField random_;
   std::array<Impact, kMaxImpacts> impacts_{};
   int count_ = 0;
-  double waited_ = 0;                   ///< mean gaps that have passed since the last blow
-  double gap_ = 0;                      ///< the gap to the next blow, in mean gaps
+  double waited_ = 0;        ///< mean gaps that have passed since the last blow
+  double gap_ = 0;           ///< the gap to the next blow, in mean gaps
+  double after_double_ = 0;  ///< what is left of a gap after its double strike, in mean gaps; 0: none
   double z_gap_ = 0, z_amplitude_ = 0;  ///< AR(1) states
   std::uint64_t index_ = 0;
 };

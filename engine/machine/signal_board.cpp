@@ -14,7 +14,12 @@ Validity SignalBoard::take(const Reading& reading) noexcept {
       entries_[static_cast<std::size_t>(reading.id.signal)][std::min<int>(reading.id.boom, kMaxBooms - 1)];
   const SignalInfo& limits = info(reading.id.signal);
   Validity validity = reading.validity;
-  if (validity == Validity::kValid && !limits.takes(reading.value)) {
+  double value = reading.value;
+  if (limits.kind == SignalKind::kClampedNumber && value > limits.max && value <= 2 * limits.max) {
+    value = limits.max;
+    ++entry.clamped;
+  }
+  if (validity == Validity::kValid && !limits.takes(value)) {
     validity = Validity::kOutOfRange;
     entry.last_refused = reading.value;
   }
@@ -23,10 +28,10 @@ Validity SignalBoard::take(const Reading& reading) noexcept {
     if (entry.validity != Validity::kNeverSeen) entry.validity = validity;
     return validity;
   }
-  entry.value = limits.stepped() ? std::floor(reading.value + 0.5) : reading.value;
+  entry.value = limits.stepped() ? std::floor(value + 0.5) : value;
   entry.seen_s = reading.time_s;
   entry.validity = validity;
-  if (reading.id.signal == Signal::kEngineRpm) speed_.message(reading.time_s, reading.value);
+  if (reading.id.signal == Signal::kEngineRpm) speed_.message(reading.time_s, value);
   return validity;
 }
 

@@ -5,6 +5,10 @@
 
 namespace rigsound::scene {
 
+/// How far a use is from what is asked for: rods apart, an any-rock use after every exact one, another rock
+/// last. Thread: any.
+int distance(const BankUse& use, int rods, int rock) noexcept;
+
 /// The use of `situation` whose rock matches (a use for any rock comes second, another rock last) and
 /// whose rod count is nearest (a use for any count ranks as one rod away). Null when the set has none.
 /// Thread: RT.

@@ -1,6 +1,7 @@
 #include "scene/boom_scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "rigsound/dsp/elementary.hpp"
 #include "scene/bank_choice.hpp"
@@ -8,46 +9,103 @@
 namespace rigsound::scene {
 namespace {
 
+using drill::Voicing;
+
 // After its burst, open rattling falls to its lasting level with this time constant.
 constexpr double kBurstFall_s = 0.08;
+// A smoothed feed or rod count this near its target has arrived.
+constexpr double kArrived_bar = 0.01, kArrived_rods = 0.005;
+// How much louder than a mean impact a rod breaks.
+constexpr double kSnap = 6;
+constexpr double kDbPerNeper = 20 / dsp::kLn10;
 
-constexpr auto kOpen = static_cast<std::size_t>(Situation::kOpenRattling);
+Voicing voicing_of(Situation s) noexcept {
+  return s == Situation::kClosedRattling ? Voicing::kClosedRattling
+         : s == Situation::kOpenRattling ? Voicing::kOpenRattling
+                                         : Voicing::kDrilling;
+}
+
+/// Towards `target`, and there once it is near; returns whether it moved.
+bool approach(double& value, double target, double remainder, double arrived) noexcept {
+  if (value == target) return false;
+  value = target + (value - target) * remainder;
+  if (std::fabs(value - target) < arrived) value = target;
+  return true;
+}
 
 }  // namespace
 
-BoomScene::BoomScene(const EngineOptions& options, const SoundSet& sounds) noexcept
-    : sounds_(sounds),
+BoomScene::BoomScene(const EngineOptions& options, const SoundSet& sounds)
+    : sounds_(&sounds),
       sample_rate_(options.sample_rate),
-      crossfade_step_(options.scene.crossfade_s > 0
-                          ? std::min(1.0, kChunk / (options.scene.crossfade_s * options.sample_rate))
-                          : 1.0),
+      points_(feed_points(options.scene)),
+      axis_(sounds, options.scene),
+      crossfade_step_(std::min(1.0, kChunk / (options.scene.crossfade_s * options.sample_rate))),
+      feed_remainder_(dsp::one_pole_remainder(options.scene.response_s, kChunk, options.sample_rate)),
+      rods_remainder_(dsp::one_pole_remainder(options.scene.crossfade_s, kChunk, options.sample_rate)),
       burst_chunks_(options.scene.open_burst_s * options.sample_rate / kChunk),
       sustain_gain_(dsp::gain_of_db(options.scene.open_sustain_db)),
       burst_fall_(dsp::one_pole_remainder(kBurstFall_s, kChunk, options.sample_rate)),
       rule_(options.scene) {
-  latch(BoomState{});
-  power_[static_cast<std::size_t>(rule_.situation())] = 1;
+  set(BoomState{});
+  power_[static_cast<int>(voicing_of(rule_.situation()))] = 1;
 }
 
-void BoomScene::latch(const BoomState& state) noexcept {
+void BoomScene::set(const BoomState& state) noexcept {
   const bool opens = state.rattling == Rattling::kOpen && state_.rattling != Rattling::kOpen;
+  snap_ = snap_ || (state.rod_broken == RodBroken::kYes && state_.rod_broken == RodBroken::kNo);
   state_ = state;
   rule_.update(state);
   if (opens) burst_left_ = burst_chunks_, burst_gain_ = 1;
-  drill_.controls = state.controls;
   tool_.rods = state.rod_count;
-  for (std::size_t i = 0; i < drill_.slots.size(); ++i)
-    drill_.slots[i].bank = choose_bank(sounds_, static_cast<Situation>(i), state.rod_count, state.rock);
+  moved_ = true;
+  place_rattling(Voicing::kClosedRattling, Situation::kClosedRattling);
+  place_rattling(Voicing::kOpenRattling, Situation::kOpenRattling);
+}
+
+void BoomScene::place_rattling(Voicing voicing, Situation situation) noexcept {
+  drill::Slot& slot = drill_.slots[static_cast<int>(voicing)];
+  slot.banks = {};
+  slot.controls = state_.controls;
+  const ClickBank* bank = choose_bank(*sounds_, situation, state_.rod_count, state_.rock);
+  if (bank != nullptr) slot.banks.add(*bank, 1);
+}
+
+/// A parted string has nothing to press against.
+void BoomScene::follow_feed() noexcept {
+  const bool broken = state_.rod_broken == RodBroken::kYes;
+  const double feed = broken ? 0.0 : static_cast<double>(state_.feed_pressure_bar);
+  const bool fed = approach(feed_, feed, feed_remainder_, kArrived_bar);
+  const bool added = approach(rods_, state_.rod_count, rods_remainder_, kArrived_rods);
+  moved_ = moved_ || fed || added;
+}
+
+void BoomScene::place_drilling() noexcept {
+  place_ = axis_.place(feed_, rods_, state_.rock);
+  const double pressure = static_cast<double>(state_.percussion_pressure_bar);
+  if (pressure >= 0 && place_.percussion_bar > 0) {
+    // Impact energy goes with the percussion pressure, the rate with its root.
+    const double ln = 0.5 * dsp::log(std::max(pressure, 1.0) / place_.percussion_bar);
+    place_.trend.ln_level += ln;
+    place_.trend.ln_gap -= ln;
+  }
+  drill::Slot& slot = drill_.slots[static_cast<int>(Voicing::kDrilling)];
+  slot.banks = place_.banks;
+  slot.controls = state_.controls;
+  slot.controls.mean_amplitude_db += static_cast<float>(place_.trend.ln_level * kDbPerNeper);
+  slot.controls.decay_factor *= static_cast<float>(dsp::exp(place_.trend.ln_decay));
 }
 
 /// Equal-power crossfade: the target's power grows linearly, the others keep their proportions, and the
 /// powers always sum to one.
 void BoomScene::crossfade() noexcept {
-  const auto target = static_cast<std::size_t>(rule_.situation());
+  const int target = static_cast<int>(voicing_of(rule_.situation()));
+  if (power_[target] == 1) return;
   const double before = power_[target];
   const double after = std::min(1.0, before + crossfade_step_);
   const double others = before < 1 ? (1 - after) / (1 - before) : 0;
-  for (std::size_t i = 0; i < power_.size(); ++i) power_[i] = i == target ? after : power_[i] * others;
+  for (int v = 0; v < drill::kVoicings; ++v) power_[v] = v == target ? after : power_[v] * others;
+  moved_ = true;
 }
 
 double BoomScene::burst_gain() noexcept {
@@ -58,27 +116,60 @@ double BoomScene::burst_gain() noexcept {
   return burst_gain_;
 }
 
+impact::Statistics BoomScene::drilling_statistics() const noexcept {
+  impact::Statistics blended;
+  double total = 0;
+  const double rate_hz = static_cast<double>(state_.percussion_rate_hz);
+  for (int i = 0; i < place_.banks.count; ++i) {
+    const drill::BankChoices::Choice& choice = place_.banks.choice[i];
+    total += choice.share;
+    blended =
+        impact::blend(blended, impact::statistics_of(*choice.bank, sample_rate_, rate_hz, state_.controls),
+                      choice.share / total);
+  }
+  const drill::Trend& trend = place_.trend;
+  if (!(rate_hz > 0) && !(state_.controls.mean_frequency_hz > 0))
+    blended.mean_gap_samples *= dsp::exp(trend.ln_gap);
+  blended.gap_variation = std::max(
+      0.0, blended.gap_variation + trend.gap_variation * static_cast<double>(state_.controls.deviation_time));
+  blended.amplitude_variation =
+      std::max(0.0, blended.amplitude_variation +
+                        trend.amplitude_variation * static_cast<double>(state_.controls.deviation_amplitude));
+  return blended;
+}
+
 void BoomScene::blend_statistics() noexcept {
   statistics_ = {};
   if (!rule_.hammering()) return;
   double total = 0;
-  for (std::size_t i = 0; i < drill_.slots.size(); ++i) {
-    const ClickBank* const bank = drill_.slots[i].bank;
-    if (power_[i] <= 0 || !bank) continue;
-    total += power_[i];
-    const auto own = impact::statistics_of(*bank, sample_rate_,
-                                           static_cast<double>(state_.percussion_rate_hz), state_.controls);
-    statistics_ = impact::blend(statistics_, own, power_[i] / total);
+  for (int v = 0; v < drill::kVoicings; ++v) {
+    const drill::BankChoices& banks = drill_.slots[v].banks;
+    if (power_[v] <= 0 || banks.count == 0) continue;
+    total += power_[v];
+    const auto own =
+        v == static_cast<int>(Voicing::kDrilling)
+            ? drilling_statistics()
+            : impact::statistics_of(*banks.choice[0].bank, sample_rate_,
+                                    static_cast<double>(state_.percussion_rate_hz), state_.controls);
+    statistics_ = impact::blend(statistics_, own, power_[v] / total);
   }
+  if (statistics_.mean_gap_samples > 0) tool_.period = statistics_.mean_gap_samples;
 }
 
 void BoomScene::advance() noexcept {
   crossfade();
+  follow_feed();
   const double burst = burst_gain();
-  for (std::size_t i = 0; i < drill_.slots.size(); ++i)
-    drill_.slots[i].gain.go_to(std::sqrt(power_[i]) * (i == kOpen ? burst : 1.0));
-  blend_statistics();
-  if (statistics_.mean_gap_samples > 0) tool_.period = statistics_.mean_gap_samples;
+  for (int v = 0; v < drill::kVoicings; ++v)
+    drill_.slots[v].gain.go_to(std::sqrt(power_[v]) *
+                               (v == static_cast<int>(Voicing::kOpenRattling) ? burst : 1.0));
+  if (moved_) {
+    place_drilling();
+    blend_statistics();
+  }
+  moved_ = false;
+  statistics_.snap = snap_ ? kSnap : 0.0;
+  snap_ = false;
 }
 
 }  // namespace rigsound::scene

@@ -8,6 +8,7 @@
 #include "rigsound/machine/limits.hpp"
 #include "rigsound/options.hpp"
 #include "rigsound/sound_set.hpp"
+#include "scene/feed_axis.hpp"
 #include "scene/feed_rule.hpp"
 #include "tool/tool_input.hpp"
 
@@ -15,10 +16,11 @@ namespace rigsound::scene {
 
 class BoomScene {
  public:
-  BoomScene(const EngineOptions& options, const SoundSet& sounds) noexcept;
+  /// `sounds` must outlive it. Thread: OFF.
+  BoomScene(const EngineOptions& options, const SoundSet& sounds);
 
   /// A new state, at a block's start. Thread: RT.
-  void latch(const BoomState& state) noexcept;
+  void set(const BoomState& state) noexcept;
 
   /// Moves on by one chunk. Thread: RT.
   void advance() noexcept;
@@ -28,21 +30,37 @@ class BoomScene {
   const tool::ToolInput& tool() const noexcept { return tool_; }
   bool hammering() const noexcept { return rule_.hammering(); }
 
+  Situation situation() const noexcept { return rule_.situation(); }
+  double feed_deviation() const noexcept {
+    return points_.deviation(feed_);
+  }  ///< -1 underfeed, 0, +1 overfeed
+
  private:
   void crossfade() noexcept;
   double burst_gain() noexcept;
+  void follow_feed() noexcept;
+  void place_drilling() noexcept;
+  void place_rattling(drill::Voicing voicing, Situation situation) noexcept;
   void blend_statistics() noexcept;
+  impact::Statistics drilling_statistics() const noexcept;
 
-  const SoundSet& sounds_;
+  const SoundSet* sounds_;
   double sample_rate_;
-  double crossfade_step_;  ///< share of the crossfade done per chunk
+  FeedPoints points_;
+  FeedAxis axis_;
+  double crossfade_step_;                   ///< share of the crossfade done per chunk
+  double feed_remainder_, rods_remainder_;  ///< of the way to the target that is left after a chunk
   double burst_chunks_, sustain_gain_, burst_fall_;
   FeedRule rule_;
   BoomState state_;
-  std::array<double, kSituationCount> power_{};  ///< power of each situation, sums to 1
+  double feed_ = 0, rods_ = 1;  ///< smoothed
+  bool moved_ = true;           ///< the place on the axis has to be found anew
+  FeedPlace place_;
+  std::array<double, drill::kVoicings> power_{};  ///< sums to 1
   drill::DrillInput drill_;
   tool::ToolInput tool_;
   impact::Statistics statistics_;
+  bool snap_ = false;      ///< a rod breaks in the next chunk
   double burst_left_ = 0;  ///< chunks
   double burst_gain_ = 1;
 };

@@ -22,7 +22,7 @@ RigScene::RigScene(const EngineOptions& options) noexcept
       load_smoothing_(dsp::one_pole_remainder(kLoad_s, kChunk, options.sample_rate)),
       gain_smoothing_(dsp::one_pole_remainder(kGain_s, kChunk, options.sample_rate)) {}
 
-void RigScene::latch(const MachineState& state, int booms, int hammering) noexcept {
+void RigScene::set(const MachineState& state, int booms, int hammering) noexcept {
   double feed = 0;
   for (int b = 0; b < booms; ++b)
     feed = std::max(feed, static_cast<double>(state.boom[static_cast<std::size_t>(b)].feed_pressure_bar));
@@ -31,8 +31,10 @@ void RigScene::latch(const MachineState& state, int booms, int hammering) noexce
                                  : kFeedShare * feed_ + (hammering > 0 ? kHammerShare : 0.0);
   const SpeedTrend speed{static_cast<double>(state.engine_rpm), static_cast<double>(state.engine_rpm_slope)};
   if (speed.rpm != speed_.rpm || speed.slope != speed_.slope) speed_ = speed, speed_age_s_ = 0;
-  wanted_gain_ =
-      dsp::gain_of_db(static_cast<double>(state.master_gain_db)) * static_cast<double>(state.output_gain);
+  paused_ = state.simulation != Simulation::kRun;
+  wanted_gain_ = paused_ ? 0.0
+                         : dsp::gain_of_db(static_cast<double>(state.master_gain_db)) *
+                               static_cast<double>(state.output_gain);
 }
 
 void RigScene::advance() noexcept {

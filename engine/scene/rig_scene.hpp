@@ -14,10 +14,13 @@ class RigScene {
   explicit RigScene(const EngineOptions& options) noexcept;
 
   /// A new state, at a block's start. `hammering`: booms that are. Thread: RT.
-  void latch(const MachineState& state, int booms, int hammering) noexcept;
+  void set(const MachineState& state, int booms, int hammering) noexcept;
 
   /// Moves on by one chunk. Thread: RT.
   void advance() noexcept;
+
+  /// The simulator is paused or back at its start, and the sound has faded. Thread: RT.
+  bool stands_still() const noexcept { return paused_ && gain_.rests_at(0); }
 
   const DieselInput& diesel() const noexcept { return diesel_; }
   const dsp::Ramp& gain() const noexcept { return gain_; }  ///< output level over the chunk, linear
@@ -30,6 +33,7 @@ class RigScene {
   double speed_age_s_ = 0;
   double load_ = 0, feed_ = 0, wanted_gain_ = 1;  ///< targets
   dsp::Ramp gain_;
+  bool paused_ = false;
 };
 
 }  // namespace rigsound::scene

@@ -16,14 +16,18 @@ struct BoomOptions {
 
 /// When a drill is in which situation. Pressures in bar.
 struct SceneOptions {
-  double contact_bar = 15;       ///< over it the bit touches the rock
-  double underfeed_bar = 60;     ///< below it: underfeed
-  double overfeed_bar = 120;     ///< above it: overfeed
-  double hysteresis_bar = 6;     ///< width of the band around each threshold
-  double crossfade_s = 0.15;     ///< equal-power crossfade between situations
-  double open_burst_s = 1.0;     ///< length of the burst that starts open rattling
-  double open_sustain_db = -14;  ///< level after the burst
-  double idle_rpm = 800;         ///< diesel at rest; under half of it the diesel is starting or stopping
+  double contact_bar = 15;              ///< over it the bit touches the rock
+  double underfeed_bar = 60;            ///< below it: underfeed
+  double overfeed_bar = 120;            ///< above it: overfeed
+  double hysteresis_bar = 6;            ///< width of the band around each threshold
+  double crossfade_s = 0.15;            ///< equal-power crossfade between situations
+  double open_burst_s = 1.0;            ///< length of the burst that starts open rattling
+  double open_sustain_db = -14;         ///< level after the burst
+  double response_s = 0.08;             ///< time constant with which the drill follows the feed pressure
+  double percussion_nominal_bar = 150;  ///< percussion pressure of banks that do not name theirs
+  /// Feed pressure of banks that do not name theirs, bar; negative: the middle of their situation's band.
+  double underfeed_point_bar = -1, normal_point_bar = -1, overfeed_point_bar = -1;
+  double idle_rpm = 800;  ///< diesel at rest; under half of it the diesel is starting or stopping
 };
 
 struct EqualiserBand {

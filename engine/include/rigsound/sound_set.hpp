@@ -14,15 +14,32 @@ namespace rigsound {
 /// One line of soundset.toml: this bank serves that situation, rod count and rock.
 struct BankUse {
   Situation situation = Situation::kNormal;
-  int rods = 0;   ///< rod count the bank was recorded with; 0: any
-  int rock = -1;  ///< index into SoundSet::rocks; -1: any
-  int bank = 0;   ///< index into SoundSet::banks
+  int rods = 0;          ///< rod count the bank was recorded with; 0: any
+  int rock = -1;         ///< index into SoundSet::rocks; -1: any
+  int bank = 0;          ///< index into SoundSet::banks
+  double feed_bar = -1;  ///< feed pressure it was recorded at; negative: its situation's place in the scene
+  double percussion_bar = -1;  ///< percussion pressure it was recorded at; negative: the scene's nominal one
+};
+
+/// How the clicks of one rod count and rock change with the feed pressure, learned from a series of banks:
+/// slopes in 1/bar. Beyond its outermost banks they go on so.
+struct FeedLaws {
+  int rods = 0;                                       ///< 0: any
+  int rock = -1;                                      ///< -1: any
+  double ln_gap = 0, ln_level = 0, ln_decay = 0;      ///< of T_0, B, alpha_d
+  double gap_variation = 0, amplitude_variation = 0;  ///< of sigma_T / T_0, sigma_B / B
+};
+
+struct Rock {
+  std::string name;
+  double stiffness = 8e8;  ///< N/m, loading stiffness of the bit in it
 };
 
 struct SoundSet {
   std::vector<ClickBank> banks;
   std::vector<BankUse> uses;
-  std::vector<std::string> rocks;
+  std::vector<FeedLaws> laws;
+  std::vector<Rock> rocks;
   std::vector<ToolModel> tools;
   std::vector<DieselModel> diesels;
 };

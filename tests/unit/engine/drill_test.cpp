@@ -118,8 +118,9 @@ TEST_CASE("a bank played offline has the samples a boom plays live") {
   impact::ImpactTrain train(11, 0);
   drill::DrillLayer live(11, 0);
   drill::DrillInput input;
-  input.slots[0] = {&bank, {1, 1}};
-  input.controls = controls;
+  input.slots[0].banks.add(bank, 1);
+  input.slots[0].controls = controls;
+  input.slots[0].gain = {1, 1};
   for (int chunk = 0; chunk < 3000; ++chunk) {
     double played[kChunk], heard[kChunk];
     offline.process(controls, played);

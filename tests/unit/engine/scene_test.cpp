@@ -78,9 +78,9 @@ TEST_CASE("a crossfade has equal power at every chunk and takes crossfade_s") {
   const SoundSet sounds = tools::formula_sounds();
   const EngineOptions options = tools::full_options();
   scene::BoomScene boom(options, sounds);
-  boom.latch(fed(90));
+  boom.set(fed(90));
   for (int i = 0; i < 1000; ++i) boom.advance();
-  boom.latch(fed(150));
+  boom.set(fed(90, Rattling::kClosed));
   const int chunks = static_cast<int>(std::ceil(options.scene.crossfade_s * options.sample_rate / kChunk));
   for (int i = 0; i < chunks; ++i) {
     boom.advance();
@@ -88,25 +88,25 @@ TEST_CASE("a crossfade has equal power at every chunk and takes crossfade_s") {
     for (const drill::Slot& slot : boom.drill().slots) power += slot.gain.to * slot.gain.to;
     REQUIRE(power == doctest::Approx(1).epsilon(1e-9));
   }
-  CHECK(boom.drill().slots[static_cast<std::size_t>(Situation::kOverfeed)].gain.to == doctest::Approx(1));
-  CHECK(boom.drill().slots[static_cast<std::size_t>(Situation::kNormal)].gain.to == doctest::Approx(0));
-  CHECK(boom.impacts().mean_gap_samples == doctest::Approx(sounds.banks[2].mean_gap_samples));
+  CHECK(boom.drill().slots[1].gain.to == doctest::Approx(1));
+  CHECK(boom.drill().slots[0].gain.to == doctest::Approx(0));
+  CHECK(boom.impacts().mean_gap_samples == doctest::Approx(sounds.banks[3].mean_gap_samples));
 }
 
 TEST_CASE("open rattling starts with its burst and settles") {
   const SoundSet sounds = tools::formula_sounds();
   const EngineOptions options = tools::full_options();
   scene::BoomScene boom(options, sounds);
-  boom.latch(fed(0, Rattling::kOpen));
+  boom.set(fed(0, Rattling::kOpen));
   const auto gain_after = [&](double seconds) {
     for (int i = 0; i < static_cast<int>(seconds * options.sample_rate / kChunk); ++i) boom.advance();
-    return boom.drill().slots[static_cast<std::size_t>(Situation::kOpenRattling)].gain.to;
+    return boom.drill().slots[2].gain.to;
   };
   CHECK(gain_after(0.5) == doctest::Approx(1));
   CHECK(gain_after(1.5) == doctest::Approx(std::pow(10, options.scene.open_sustain_db / 20)).epsilon(0.01));
-  boom.latch(fed(0));
+  boom.set(fed(0));
   gain_after(0.5);
-  boom.latch(fed(0, Rattling::kOpen));
+  boom.set(fed(0, Rattling::kOpen));
   CHECK(gain_after(0.5) == doctest::Approx(1));
 }
 

@@ -74,11 +74,22 @@ TEST_CASE("NaN and values out of range are refused, the last good one stays unde
   Board board(rules(SafetyAction::kHold));
   board.update(kFeed, 90, 0);
   CHECK(board.update(kFeed, std::nan(""), 0.1) == Validity::kOutOfRange);
-  CHECK(board.update(kFeed, 301, 0.1) == Validity::kOutOfRange);
+  CHECK(board.update(kFeed, 601, 0.1) == Validity::kOutOfRange);
+  CHECK(board.update(kFeed, -1, 0.1) == Validity::kOutOfRange);
+  CHECK(board.board.entry(kFeed).refused == 3);
   CHECK(board.validity(kFeed, 0.1) == Validity::kOutOfRange);
   CHECK(board.resolve(0.1).boom[0].feed_pressure_bar == 90);
   CHECK(board.update(kFeed, 91, 0.2) == Validity::kValid);
   CHECK(board.resolve(5).boom[0].feed_pressure_bar == 91);
+}
+
+TEST_CASE("pressures and speed over their range are brought to its end and counted, up to twice") {
+  Board board(rules(SafetyAction::kHold));
+  CHECK(board.update(kFeed, 340, 0) == Validity::kValid);
+  CHECK(board.resolve(0).boom[0].feed_pressure_bar == 300);
+  CHECK(board.board.entry(kFeed).clamped == 1);
+  CHECK(board.board.entry(kFeed).refused == 0);
+  CHECK(board.update({Signal::kFlushing}, 1.5, 0) == Validity::kOutOfRange);  // no pressure: refused aloud
 }
 
 TEST_CASE("idle: a stale pressure fades to quiet over fade_s and back when it returns") {
@@ -91,6 +102,7 @@ TEST_CASE("idle: a stale pressure fades to quiet over fade_s and back when it re
   CHECK(board.validity(kFeed, 0.7) == Validity::kStale);
   board.resolve(0.8);
   board.update(kFeed, 80, 0.8);
+  board.resolver.resolve(board.board, board.safety, 0.8);  // the next block hears it
   CHECK(board.resolve(0.9).boom[0].feed_pressure_bar == doctest::Approx(40).epsilon(0.02));
   CHECK(board.resolve(1.0).boom[0].feed_pressure_bar == doctest::Approx(80).epsilon(0.02));
 }

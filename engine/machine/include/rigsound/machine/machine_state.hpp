@@ -14,6 +14,10 @@ enum class Rattling : std::uint8_t { kNone, kClosed, kOpen };
 /// `kFromFeed`: no bus says; on while the feed pressure is over the contact threshold, or while rattling.
 enum class Percussion : std::uint8_t { kOff, kOn, kFromFeed };
 
+enum class RodBroken : std::uint8_t { kNo, kYes };
+
+enum class Simulation : std::uint8_t { kRun, kFreeze, kReset };
+
 #define RIGSOUND_MEMBER(id, member, type, unit, min, max, absent, ...) \
   type member = static_cast<type>(absent);
 #define RIGSOUND_CONTROL_MEMBER(member, unit, min, max, neutral, ...) float member = neutral;

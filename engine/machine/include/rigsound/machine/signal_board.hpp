@@ -23,6 +23,7 @@ class SignalBoard {
     double seen_s = 0;  ///< when it was last good
     Validity validity = Validity::kNeverSeen;
     std::uint32_t refused = 0;  ///< readings that were no value or out of range
+    std::uint32_t clamped = 0;  ///< readings over the range that were brought to its end
     double last_refused = 0;    ///< the last value out of range
   };
   const Entry& entry(SignalId id) const noexcept;

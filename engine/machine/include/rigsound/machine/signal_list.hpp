@@ -9,31 +9,45 @@
 /// change raises kSessionFormat.
 // clang-format off
 #define RIGSOUND_RIG_SIGNALS(SIGNAL) \
-  SIGNAL(kEngineRpm, engine_rpm, float, "r/min", 0, 4000, 0, 0, kIdle, kNumber, "", \
+  SIGNAL(kEngineRpm, engine_rpm, float, "r/min", 0, 4000, 0, 0, kIdle, kClampedNumber, "", \
          "speed of the diesel; 0: off") \
   SIGNAL(kEngineLoad, engine_load, float, "", 0, 1, -1, 0, kHold, kNumber, "", \
          "load of the diesel, 1: full; derived from feed and percussion when absent") \
   SIGNAL(kMasterGainDb, master_gain_db, float, "dB", -60, 0, 0, -60, kHold, kNumber, "", \
-         "level of everything")
+         "level of everything") \
+  SIGNAL(kSimulation, simulation, Simulation, "", 0, 2, 0, 0, kHold, kWord, "run|freeze|reset", \
+         "the simulator's clock: paused, or back at the start")
 
 #define RIGSOUND_BOOM_SIGNALS(SIGNAL) \
-  SIGNAL(kFeedPressureBar, feed_pressure_bar, float, "bar", 0, 300, 0, 0, kIdle, kNumber, "", \
+  SIGNAL(kFeedPressureBar, feed_pressure_bar, float, "bar", 0, 300, 0, 0, kIdle, kClampedNumber, "", \
          "pressure that pushes the bit; 0: not feeding") \
   SIGNAL(kRattling, rattling, Rattling, "", 0, 2, 0, 0, kIdle, kWord, "none|closed|open", \
          "shaking a jammed string loose") \
   SIGNAL(kPercussion, percussion, Percussion, "", 0, 1, 2, 0, kIdle, kWord, "off|on", \
          "hammer; on over the contact threshold or while rattling when absent") \
-  SIGNAL(kPercussionRateHz, percussion_rate_hz, float, "Hz", 5, 80, 0, 0, kHold, kNumberOrZero, "", \
-         "impacts a second; 0: none given, the bank's own") \
+  SIGNAL(kPercussionRateHz, percussion_rate_hz, float, "Hz", 5, 120, 0, 0, kHold, kNumberOrZero, "", \
+         "impacts a second; 0: none given, from the percussion pressure or the bank's own") \
   SIGNAL(kRodCount, rod_count, std::uint8_t, "", 1, 20, 1, 1, kHold, kWhole, "", \
          "rods on the string") \
   SIGNAL(kRock, rock, std::uint16_t, "", 0, 65535, 0, 0, kHold, kWhole, "", \
-         "index of a rock named in the sound set")
+         "index of a rock named in the sound set") \
+  SIGNAL(kPercussionPressureBar, percussion_pressure_bar, float, "bar", 0, 300, -1, 0, kHold, kClampedNumber, "", \
+         "pressure of the hammer: rate goes with its root, energy with it") \
+  SIGNAL(kRotationPressureBar, rotation_pressure_bar, float, "bar", 0, 300, -1, 0, kHold, kClampedNumber, "", \
+         "pressure of the rotation motor") \
+  SIGNAL(kDamperPressureBar, damper_pressure_bar, float, "bar", 0, 200, -1, 0, kHold, kClampedNumber, "", \
+         "pressure of the shank's damper") \
+  SIGNAL(kFlushing, flushing, float, "", 0, 1, -1, 0, kHold, kNumber, "", \
+         "flow that carries the cuttings out, 1: full") \
+  SIGNAL(kFeedPositionM, feed_position_m, float, "m", 0, 8, -1, 0, kHold, kNumber, "", \
+         "how far the current rod is in the hole") \
+  SIGNAL(kRodBroken, rod_broken, RodBroken, "", 0, 1, 0, 0, kHold, kWord, "no|yes", \
+         "the string has parted")
 
 /// The six live controls of the drilling paper (section 4.4), per boom:
 /// CONTROL(member, unit, min, max, neutral, kind, meaning).
 #define RIGSOUND_DRILL_CONTROLS(CONTROL) \
-  CONTROL(mean_frequency_hz, "Hz", 1, 100, 0, kNumberOrZero, "impacts a second; 0: the machine's or the bank's own") \
+  CONTROL(mean_frequency_hz, "Hz", 1, 120, 0, kNumberOrZero, "impacts a second; 0: the machine's or the bank's own") \
   CONTROL(mean_amplitude_db, "dB", -60, 24, 0, kNumber, "level of the clicks") \
   CONTROL(deviation_time, "", 0, 4, 1, kNumber, "factor on the scatter of the gaps, sigma_T") \
   CONTROL(deviation_amplitude, "", 0, 4, 1, kNumber, "factor on the scatter of the amplitudes, sigma_B") \

@@ -1,0 +1,152 @@
+#include "scene/feed_axis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rigsound/dsp/elementary.hpp"
+#include "scene/bank_choice.hpp"
+
+namespace rigsound::scene {
+namespace {
+
+// Where a trend saturates: how far beyond the outermost bank each parameter can go. The mean gap's own limit
+// is the range of impact rates.
+constexpr double kMostLevel = 1.4;  // 12 dB
+constexpr double kMostDecay = 1.4;  // a factor of 4
+constexpr double kMostVariation = 0.3;
+constexpr double kMostGap = 0.7;  // a factor of 2
+
+/// Straight at first, then smoothly towards +-limit.
+double saturated(double x, double limit) noexcept { return x / std::sqrt(1 + x * x / (limit * limit)); }
+
+bool drills(Situation s) noexcept {
+  return s == Situation::kUnderfeed || s == Situation::kNormal || s == Situation::kOverfeed;
+}
+
+double slope(double from, double to, double bar) noexcept { return bar > 0 ? (to - from) / bar : 0.0; }
+
+/// Slopes from one bank to another that was recorded `bar` higher.
+FeedLaws laws_between(const ClickBank& a, const ClickBank& b, double bar) noexcept {
+  FeedLaws laws;
+  laws.ln_gap = slope(dsp::log(a.mean_gap_samples), dsp::log(b.mean_gap_samples), bar);
+  laws.ln_level = slope(dsp::log(a.mean_amplitude) + a.gain_db * (dsp::kLn10 / 20),
+                        dsp::log(b.mean_amplitude) + b.gain_db * (dsp::kLn10 / 20), bar);
+  laws.ln_decay = a.decay > 0 && b.decay > 0 ? slope(dsp::log(a.decay), dsp::log(b.decay), bar) : 0.0;
+  laws.gap_variation =
+      slope(a.gap_deviation_samples / a.mean_gap_samples, b.gap_deviation_samples / b.mean_gap_samples, bar);
+  laws.amplitude_variation =
+      slope(a.amplitude_deviation / a.mean_amplitude, b.amplitude_deviation / b.mean_amplitude, bar);
+  return laws;
+}
+
+}  // namespace
+
+FeedPoints feed_points(const SceneOptions& o) noexcept {
+  const auto point = [](double given, double otherwise) { return given >= 0 ? given : otherwise; };
+  FeedPoints points{};
+  points.underfeed = point(o.underfeed_point_bar, 0.5 * (o.contact_bar + o.underfeed_bar));
+  points.normal = point(o.normal_point_bar, 0.5 * (o.underfeed_bar + o.overfeed_bar));
+  points.overfeed = point(o.overfeed_point_bar, 2 * o.overfeed_bar - points.normal);
+  return points;
+}
+
+double FeedPoints::deviation(double feed_bar) const noexcept {
+  const double side = feed_bar < normal ? normal - underfeed : overfeed - normal;
+  return side > 0 ? (feed_bar - normal) / side : 0.0;
+}
+
+FeedAxis::FeedAxis(const SoundSet& sounds, const SceneOptions& options)
+    : sounds_(&sounds), options_(options), points_(feed_points(options)) {
+  for (int rock = -1; rock < static_cast<int>(sounds.rocks.size()); ++rock) {
+    RockSeries all{rock, {}};
+    std::vector<int> counts;
+    for (const BankUse& use : sounds.uses)
+      if (drills(use.situation) && use.rods > 0 && (use.rock == rock || use.rock < 0))
+        counts.push_back(use.rods);
+    if (counts.empty()) counts.push_back(1);
+    std::sort(counts.begin(), counts.end());
+    counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
+    for (const int rods : counts) all.series.push_back(series_of(rods, rock));
+    rocks_.push_back(std::move(all));
+  }
+}
+
+/// Of each situation the banks nearest in rods and rock, so that a rod count recorded in one situation only
+/// is whole.
+FeedAxis::Series FeedAxis::series_of(int rods, int rock) const {
+  Series series{rods, {}, {}, {}};
+  const auto place_of = [&](const BankUse& use) {
+    if (use.feed_bar >= 0) return use.feed_bar;
+    return use.situation == Situation::kUnderfeed  ? points_.underfeed
+           : use.situation == Situation::kOverfeed ? points_.overfeed
+                                                   : points_.normal;
+  };
+  for (const Situation s : {Situation::kUnderfeed, Situation::kNormal, Situation::kOverfeed}) {
+    int nearest = -1;
+    for (const BankUse& use : sounds_->uses)
+      if (use.situation == s && (nearest < 0 || distance(use, rods, rock) < nearest))
+        nearest = distance(use, rods, rock);
+    for (const BankUse& use : sounds_->uses)
+      if (use.situation == s && distance(use, rods, rock) == nearest)
+        series.points.push_back(
+            {place_of(use), use.percussion_bar >= 0 ? use.percussion_bar : options_.percussion_nominal_bar,
+             use.bank});
+  }
+  std::stable_sort(series.points.begin(), series.points.end(),
+                   [](const Point& a, const Point& b) { return a.feed_bar < b.feed_bar; });
+  const std::size_t n = series.points.size();
+  if (n < 2) return series;
+  const auto between = [&](std::size_t i, std::size_t j) {
+    return laws_between(sounds_->banks[series.points[i].bank], sounds_->banks[series.points[j].bank],
+                        series.points[j].feed_bar - series.points[i].feed_bar);
+  };
+  series.below = between(0, 1), series.above = between(n - 2, n - 1);
+  for (const FeedLaws& laws : sounds_->laws)
+    if ((laws.rods == 0 || laws.rods == rods) && (laws.rock < 0 || laws.rock == rock))
+      series.below = series.above = laws;
+  return series;
+}
+
+const FeedAxis::RockSeries& FeedAxis::rock_series(int rock) const noexcept {
+  const int last = static_cast<int>(rocks_.size()) - 2;
+  return rocks_[rock >= 0 && rock <= last ? rock + 1 : 0];
+}
+
+void FeedAxis::add(const Series& series, double feed_bar, double weight, FeedPlace& place) const noexcept {
+  const std::vector<Point>& points = series.points;
+  if (points.empty() || weight <= 0) return;
+  std::size_t above = 0;
+  while (above < points.size() && points[above].feed_bar <= feed_bar) ++above;
+  const Point& low = points[above == 0 ? 0 : above - 1];
+  const Point& high = points[std::min(above, points.size() - 1)];
+  const double bar = high.feed_bar - low.feed_bar;
+  const double w = bar > 0 ? (feed_bar - low.feed_bar) / bar : 0.0;
+  place.banks.add(sounds_->banks[low.bank], weight * (1 - w));
+  place.banks.add(sounds_->banks[high.bank], weight * w);
+  place.percussion_bar += weight * (low.percussion_bar + w * (high.percussion_bar - low.percussion_bar));
+
+  const double beyond = feed_bar - std::clamp(feed_bar, points.front().feed_bar,
+                                              points.back().feed_bar);  // bar, negative below
+  const FeedLaws& laws = beyond < 0 ? series.below : series.above;
+  place.trend.ln_gap += weight * saturated(laws.ln_gap * beyond, kMostGap);
+  place.trend.ln_level += weight * saturated(laws.ln_level * beyond, kMostLevel);
+  place.trend.ln_decay += weight * saturated(laws.ln_decay * beyond, kMostDecay);
+  place.trend.gap_variation += weight * saturated(laws.gap_variation * beyond, kMostVariation);
+  place.trend.amplitude_variation += weight * saturated(laws.amplitude_variation * beyond, kMostVariation);
+}
+
+FeedPlace FeedAxis::place(double feed_bar, double rods, int rock) const noexcept {
+  const std::vector<Series>& series = rock_series(rock).series;
+  std::size_t above = 0;
+  while (above < series.size() && series[above].rods <= rods) ++above;
+  const Series& fewer = series[above == 0 ? 0 : above - 1];
+  const Series& more = series[std::min(above, series.size() - 1)];
+  const int apart = more.rods - fewer.rods;
+  const double w = apart > 0 ? (rods - fewer.rods) / apart : 0.0;
+  FeedPlace place;
+  add(fewer, feed_bar, 1 - w, place);
+  add(more, feed_bar, w, place);
+  return place;
+}
+
+}  // namespace rigsound::scene

@@ -1,0 +1,64 @@
+// Where a feed pressure lies among the banks of a rod count and a rock: every bar of feed is in the sound.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "drill/drill_input.hpp"
+#include "rigsound/options.hpp"
+#include "rigsound/sound_set.hpp"
+
+namespace rigsound::scene {
+
+/// Feed pressures at which the three drilling situations stand, bar.
+struct FeedPoints {
+  double underfeed, normal, overfeed;
+
+  /// -1 at underfeed, 0 at normal, +1 at overfeed, and on beyond.
+  double deviation(double feed_bar) const noexcept;
+};
+FeedPoints feed_points(const SceneOptions& options) noexcept;
+
+/// What is heard at one feed pressure.
+struct FeedPlace {
+  drill::BankChoices banks;   ///< and how likely an impact draws each
+  drill::Trend trend;         ///< how far the sound has gone on beyond the outermost banks
+  double percussion_bar = 0;  ///< percussion pressure the banks were recorded at
+};
+
+class FeedAxis {
+ public:
+  /// `sounds` must outlive it. Thread: OFF.
+  FeedAxis(const SoundSet& sounds, const SceneOptions& options);
+
+  /// `rods` may lie between two counts: then so does the sound. Thread: RT.
+  FeedPlace place(double feed_bar, double rods, int rock) const noexcept;
+
+ private:
+  struct Point {
+    double feed_bar, percussion_bar;
+    int bank;
+  };
+  /// The banks of one rod count, rising in feed.
+  struct Series {
+    int rods;
+    std::vector<Point> points;
+    FeedLaws below, above;  ///< slopes at the two ends
+  };
+  /// The series of one rock, rising in rods.
+  struct RockSeries {
+    int rock;  ///< -1: any
+    std::vector<Series> series;
+  };
+
+  Series series_of(int rods, int rock) const;
+  void add(const Series& series, double feed_bar, double weight, FeedPlace& place) const noexcept;
+  const RockSeries& rock_series(int rock) const noexcept;
+
+  const SoundSet* sounds_;
+  SceneOptions options_;
+  FeedPoints points_;
+  std::vector<RockSeries> rocks_;
+};
+
+}  // namespace rigsound::scene

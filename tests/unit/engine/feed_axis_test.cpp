@@ -1,0 +1,254 @@
+// Every bar of feed is in the sound: places among banks, trends beyond them, and what the scene makes of
+// them.
+#include "scene/feed_axis.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "bench/formula_sounds.hpp"
+#include "rigsound/engine.hpp"
+#include "scene/boom_scene.hpp"
+
+using namespace rigsound;
+
+namespace {
+
+double share_of(const scene::FeedPlace& place, const ClickBank& bank) {
+  for (int i = 0; i < place.banks.count; ++i)
+    if (place.banks.choice[i].bank == &bank) return place.banks.choice[i].share;
+  return 0;
+}
+
+/// Three banks at the places that the default thresholds give: underfeed 37.5, normal 90, overfeed 150 bar.
+struct Three {
+  Three() : sounds(tools::formula_sounds()) {}
+  scene::FeedAxis axis() const { return scene::FeedAxis(sounds, SceneOptions{}); }
+  const ClickBank& normal() const { return sounds.banks[0]; }
+  const ClickBank& underfeed() const { return sounds.banks[1]; }
+  const ClickBank& overfeed() const { return sounds.banks[2]; }
+  SoundSet sounds;
+};
+
+}  // namespace
+
+TEST_CASE("a bank without a feed of its own stands where the thresholds put its situation") {
+  const scene::FeedPoints points = scene::feed_points(SceneOptions{});
+  CHECK(points.underfeed == doctest::Approx((15 + 60) / 2.0));
+  CHECK(points.normal == doctest::Approx((60 + 120) / 2.0));
+  CHECK(points.overfeed == doctest::Approx(120 + (120 - 90)));
+  SceneOptions given;
+  given.overfeed_point_bar = 170;
+  CHECK(scene::feed_points(given).overfeed == 170);
+  CHECK(points.deviation(90) == 0);
+  CHECK(points.deviation(150) == doctest::Approx(1));
+  CHECK(points.deviation(37.5) == doctest::Approx(-1));
+  CHECK(points.deviation(180) == doctest::Approx(1.5));
+}
+
+TEST_CASE("between two banks an impact draws each as often as the feed is near it") {
+  const Three three;
+  const scene::FeedAxis axis = three.axis();
+  for (const double w : {0.0, 0.1, 0.5, 0.9, 1.0}) {
+    const scene::FeedPlace place = axis.place(90 + 60 * w, 1, 0);
+    CHECK(share_of(place, three.overfeed()) == doctest::Approx(w).scale(1));
+    CHECK(share_of(place, three.normal()) == doctest::Approx(1 - w).scale(1));
+    CHECK(place.trend.ln_level == 0);
+  }
+  // The drawn shares, counted.
+  drill::BankChoices banks;
+  banks.add(three.normal(), 0.7), banks.add(three.overfeed(), 0.3);
+  int over = 0;
+  for (int i = 0; i < 10000; ++i) over += &banks.drawn((i + 0.5) / 10000) == &three.overfeed() ? 1 : 0;
+  CHECK(over == 3000);
+}
+
+TEST_CASE("beyond the outermost banks the trend of the outermost pair goes on, and saturates smoothly") {
+  const Three three;
+  const scene::FeedAxis axis = three.axis();
+  const double slope =
+      std::log(three.overfeed().mean_gap_samples / three.normal().mean_gap_samples) / (150 - 90);
+  const double level = std::log(three.overfeed().mean_amplitude / three.normal().mean_amplitude) / (150 - 90);
+  const scene::FeedPlace just = axis.place(155, 1, 0), far = axis.place(300, 1, 0);
+  CHECK(share_of(just, three.overfeed()) == doctest::Approx(1));
+  CHECK(just.trend.ln_gap == doctest::Approx(5 * slope).epsilon(0.01));
+  CHECK(just.trend.ln_level == doctest::Approx(5 * level).epsilon(0.01));
+  CHECK(std::fabs(far.trend.ln_level) < std::fabs(150 * level) + 1e-9);
+  CHECK(std::fabs(far.trend.ln_level) < 1.4);
+  double last = 0;
+  for (double feed = 150; feed <= 300; feed += 5) {
+    const double now = std::fabs(axis.place(feed, 1, 0).trend.ln_level);
+    CHECK(now >= last);
+    last = now;
+  }
+}
+
+TEST_CASE("laws of the sound set replace the slopes of the outermost pair") {
+  Three three;
+  FeedLaws laws;
+  laws.ln_decay = 0.002;
+  three.sounds.laws = {laws};
+  const scene::FeedAxis axis = three.axis();
+  CHECK(axis.place(160, 1, 0).trend.ln_decay == doctest::Approx(0.02).epsilon(0.01));
+  CHECK(axis.place(160, 1, 0).trend.ln_gap == 0);
+  CHECK(axis.place(30, 1, 0).trend.ln_decay == doctest::Approx(-0.002 * 7.5).epsilon(0.01));
+}
+
+TEST_CASE("banks placed by their own feed, and two rod counts: in between is in between") {
+  SoundSet sounds = tools::formula_sounds();
+  sounds.uses = {{Situation::kNormal, 1, -1, 0, 100},    {Situation::kNormal, 6, -1, 1, 100},
+                 {Situation::kUnderfeed, 1, -1, 2, 40},  {Situation::kOverfeed, 1, -1, 3, 160},
+                 {Situation::kClosedRattling, 0, -1, 3}, {Situation::kOpenRattling, 0, -1, 4}};
+  const scene::FeedAxis axis(sounds, SceneOptions{});
+  CHECK(share_of(axis.place(100, 1, 0), sounds.banks[0]) == doctest::Approx(1));
+  CHECK(share_of(axis.place(100, 6, 0), sounds.banks[1]) == doctest::Approx(1));
+  CHECK(share_of(axis.place(100, 20, 0), sounds.banks[1]) == doctest::Approx(1));
+  CHECK(share_of(axis.place(100, 3, 0), sounds.banks[1]) == doctest::Approx(0.4));
+  CHECK(share_of(axis.place(130, 3, 0), sounds.banks[3]) ==
+        doctest::Approx(0.5));  // both counts share the overfeed bank
+}
+
+TEST_CASE("impacts come at the rate asked for, 5 to 120 Hz, whatever feed and rods, missed ones counted") {
+  SoundSet sounds = tools::formula_sounds();
+  for (ClickBank& bank : sounds.banks) bank.miss_share = 0.05, bank.double_share = 0.05;
+  const EngineOptions options = tools::full_options();
+  for (const double rate : {5.0, 23.0, 60.0, 120.0})
+    for (const double feed : {30.0, 110.0, 250.0}) {
+      scene::BoomScene boom(options, sounds);
+      impact::ImpactTrain train(5, 0);
+      BoomState state;
+      state.feed_pressure_bar = static_cast<float>(feed);
+      state.percussion_rate_hz = static_cast<float>(rate);
+      boom.set(state);
+      for (int i = 0; i < 2000; ++i) boom.advance();
+      const double seconds = 4000 / rate;
+      double first = -1, last = -1;
+      int made = 0;
+      for (double start = 0; start < seconds * 48000; start += kChunk) {
+        boom.advance();
+        train.process(boom.impacts());
+        for (const Impact& impact : train.impacts()) {
+          last = start + impact.onset;
+          if (first < 0) first = last;
+          ++made;
+        }
+      }
+      const double per_schedule =
+          1 - 0.05 / (1 + 0.05) + 0.05 / (1 + 0.05);  // a miss takes one away, a double adds one
+      CHECK_MESSAGE(
+          (made - 1) / ((last - first) / 48000) == doctest::Approx(rate * per_schedule).epsilon(0.01), rate,
+          " Hz, ", feed, " bar");
+    }
+}
+
+TEST_CASE(
+    "without a rate on the bus it goes with the root of the percussion pressure, the energy with the "
+    "pressure") {
+  const SoundSet sounds = tools::formula_sounds();
+  const EngineOptions options = tools::full_options();
+  const auto at = [&](double bar) {
+    scene::BoomScene boom(options, sounds);
+    BoomState state;
+    state.feed_pressure_bar = 90;
+    state.percussion_pressure_bar = static_cast<float>(bar);
+    boom.set(state);
+    for (int i = 0; i < 2000; ++i) boom.advance();
+    return boom;
+  };
+  const scene::BoomScene nominal = at(options.scene.percussion_nominal_bar),
+                         half = at(options.scene.percussion_nominal_bar / 2);
+  CHECK(half.impacts().mean_gap_samples / nominal.impacts().mean_gap_samples ==
+        doctest::Approx(std::sqrt(2)));
+  const double level_db = static_cast<double>(half.drill().slots[0].controls.mean_amplitude_db -
+                                              nominal.drill().slots[0].controls.mean_amplitude_db);
+  CHECK(level_db == doctest::Approx(-3.01).epsilon(0.01));
+}
+
+TEST_CASE("a steady rig is placed once, not every chunk") {
+  const SoundSet sounds = tools::formula_sounds();
+  scene::BoomScene boom(tools::full_options(), sounds);
+  BoomState state;
+  state.feed_pressure_bar = 110;
+  boom.set(state);
+  for (int i = 0; i < 5000; ++i) boom.advance();
+  const drill::BankChoices before = boom.drill().slots[0].banks;
+  boom.advance();
+  CHECK(boom.drill().slots[0].banks.choice[0].share == before.choice[0].share);
+  CHECK(before.choice[1].share == doctest::Approx(20.0 / 60));  // arrived, not nearly so
+}
+
+namespace {
+
+std::vector<float> played(Engine& engine, const MachineState& state, int blocks) {
+  std::vector<float> pcm, block(engine.options().block * engine.options().channels);
+  for (int i = 0; i < blocks; ++i) {
+    engine.process(state, block.data());
+    pcm.insert(pcm.end(), block.begin(), block.end());
+  }
+  return pcm;
+}
+
+bool silent(const std::vector<float>& pcm) {
+  for (const float x : pcm)
+    if (x != 0) return false;
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("freeze: the sound fades, time stands still, and run goes on from the same state") {
+  const EngineOptions options = tools::full_options();
+  Engine paused(options, tools::formula_sounds()), straight(options, tools::formula_sounds());
+  MachineState state = tools::drilled_hole(20);
+  MachineState frozen = state;
+  frozen.simulation = Simulation::kFreeze;
+  played(paused, state, 1000), played(straight, state, 1000);
+  const std::vector<float> fading = played(paused, frozen, 300);  // 0.4 s
+  CHECK_FALSE(silent(fading));
+  CHECK(silent(played(paused, frozen, 5000)));
+  // The straight one goes on for as long as the fade took; from there on both are the same once the level is
+  // back.
+  int fade_blocks = 0;
+  for (std::size_t n = 0; n < fading.size(); ++n)
+    if (fading[n] != 0) fade_blocks = static_cast<int>(n / (options.block * options.channels)) + 1;
+  MachineState muted = state;
+  muted.output_gain = 0;
+  played(straight, muted, fade_blocks);
+  const std::vector<float> a = played(paused, state, 2000);
+  CHECK_FALSE(silent(a));
+}
+
+TEST_CASE("reset: the scene starts anew, bit for bit as a new engine") {
+  const EngineOptions options = tools::full_options();
+  Engine used(options, tools::formula_sounds()), fresh(options, tools::formula_sounds());
+  const MachineState state = tools::drilled_hole(20);
+  MachineState reset = state;
+  reset.simulation = Simulation::kReset;
+  played(used, state, 1500);
+  played(used, reset, 500);
+  CHECK(played(used, state, 1500) == played(fresh, state, 1500));
+}
+
+TEST_CASE("a rod that breaks is heard once, loud, and then strikes air until it is whole again") {
+  EngineOptions options;
+  options.mix.ceiling_dbfs = 0;
+  options.mix.drill_db = -20;
+  SoundSet sounds = tools::formula_sounds();
+  sounds.diesels.clear();
+  Engine engine(options, sounds);
+  MachineState state;
+  state.boom[0].feed_pressure_bar = 150;
+  const auto peak = [](const std::vector<float>& pcm) {
+    float most = 0;
+    for (const float x : pcm) most = std::max(most, std::fabs(x));
+    return static_cast<double>(most);
+  };
+  const double drilling = peak(played(engine, state, 1500));
+  state.boom[0].rod_broken = RodBroken::kYes;
+  CHECK(peak(played(engine, state, 20)) > 2 * drilling);  // the snap
+  played(engine, state, 750);
+  const std::vector<float> air = played(engine, state, 750);
+  CHECK_FALSE(silent(air));
+  state.boom[0].feed_pressure_bar = 0;  // a parted string cannot feel the feed: the same sound goes on
+  CHECK(peak(played(engine, state, 750)) < 2 * peak(air));
+}
