@@ -10,39 +10,39 @@
 // clang-format off
 #define RIGSOUND_RIG_SIGNALS(SIGNAL) \
   SIGNAL(kEngineRpm, engine_rpm, float, "r/min", 0, 4000, 0, 0, kIdle, kClampedNumber, "", \
-         "speed of the diesel; 0: off") \
+         "diesel speed; 0: off") \
   SIGNAL(kEngineLoad, engine_load, float, "", 0, 1, -1, 0, kHold, kNumber, "", \
-         "load of the diesel, 1: full; derived from feed and percussion when absent") \
+         "diesel load; absent: from feed and percussion") \
   SIGNAL(kMasterGainDb, master_gain_db, float, "dB", -60, 0, 0, -60, kHold, kNumber, "", \
          "level of everything") \
   SIGNAL(kSimulation, simulation, Simulation, "", 0, 2, 0, 0, kHold, kWord, "run|freeze|reset", \
-         "the simulator's clock: paused, or back at the start")
+         "simulator running, paused, back at its start")
 
 #define RIGSOUND_BOOM_SIGNALS(SIGNAL) \
   SIGNAL(kFeedPressureBar, feed_pressure_bar, float, "bar", 0, 300, 0, 0, kIdle, kClampedNumber, "", \
-         "pressure that pushes the bit; 0: not feeding") \
+         "feed; 0: not feeding") \
   SIGNAL(kRattling, rattling, Rattling, "", 0, 2, 0, 0, kIdle, kWord, "none|closed|open", \
-         "shaking a jammed string loose") \
+         "rattling mode") \
   SIGNAL(kPercussion, percussion, Percussion, "", 0, 1, 2, 0, kIdle, kWord, "off|on", \
-         "hammer; on over the contact threshold or while rattling when absent") \
+         "hammer; absent: on while in contact or rattling") \
   SIGNAL(kPercussionRateHz, percussion_rate_hz, float, "Hz", 5, 120, 0, 0, kHold, kNumberOrZero, "", \
-         "impacts a second; 0: none given, from the percussion pressure or the bank's own") \
+         "impacts a second; 0: the bank's own") \
   SIGNAL(kRodCount, rod_count, std::uint8_t, "", 1, 20, 1, 1, kHold, kWhole, "", \
          "rods on the string") \
   SIGNAL(kRock, rock, std::uint16_t, "", 0, 65535, 0, 0, kHold, kWhole, "", \
-         "index of a rock named in the sound set") \
+         "a rock of the sound set") \
   SIGNAL(kPercussionPressureBar, percussion_pressure_bar, float, "bar", 0, 300, -1, 0, kHold, kClampedNumber, "", \
-         "pressure of the hammer: rate goes with its root, energy with it") \
+         "hammer pressure") \
   SIGNAL(kRotationPressureBar, rotation_pressure_bar, float, "bar", 0, 300, -1, 0, kHold, kClampedNumber, "", \
-         "pressure of the rotation motor") \
+         "rotation pressure") \
   SIGNAL(kDamperPressureBar, damper_pressure_bar, float, "bar", 0, 200, -1, 0, kHold, kClampedNumber, "", \
-         "pressure of the shank's damper") \
+         "damper pressure") \
   SIGNAL(kFlushing, flushing, float, "", 0, 1, -1, 0, kHold, kNumber, "", \
-         "flow that carries the cuttings out, 1: full") \
+         "flushing flow") \
   SIGNAL(kFeedPositionM, feed_position_m, float, "m", 0, 8, -1, 0, kHold, kNumber, "", \
-         "how far the current rod is in the hole") \
+         "current rod in the hole") \
   SIGNAL(kRodBroken, rod_broken, RodBroken, "", 0, 1, 0, 0, kHold, kWord, "no|yes", \
-         "the string has parted")
+         "a rod has broken")
 
 /// The six live controls of the drilling paper (section 4.4), per boom:
 /// CONTROL(member, unit, min, max, neutral, kind, meaning).
