@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bank/segment.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "rigsound/analysis/recording.hpp"
 #include "rigsound/machine/input_error.hpp"
 

@@ -9,6 +9,7 @@
 #include "bank/recorded_levels.hpp"
 #include "bank/statistics.hpp"
 #include "rigsound/analysis/bank_builder.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "rigsound/analysis/resynth.hpp"
 #include "rigsound/machine/input_error.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "clicks/envelope.hpp"
 #include "clicks/gaps.hpp"
-#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/rate.hpp"
 
 namespace rigsound::analysis {
 namespace {

@@ -6,7 +6,6 @@
 #include <unsupported/Eigen/FFT>
 
 #include "bank/minimum_phase.hpp"
-#include "rigsound/analysis/chain.hpp"
 #include "rigsound/analysis/resynth.hpp"
 
 namespace rigsound::analysis {

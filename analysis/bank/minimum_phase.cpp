@@ -4,7 +4,7 @@
 #include <complex>
 #include <unsupported/Eigen/FFT>
 
-#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/rate.hpp"
 
 namespace rigsound::analysis {
 namespace {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "clicks/gaps.hpp"
+#include "rigsound/analysis/rate.hpp"
 
 namespace rigsound::analysis {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <unsupported/Eigen/FFT>
 
-#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "rigsound/dsp/elementary.hpp"
 
 namespace rigsound::analysis {

@@ -14,6 +14,7 @@
 #include "denoise/initial_nmf.hpp"
 #include "denoise/stft.hpp"
 #include "denoise/wiener.hpp"
+#include "rigsound/analysis/rate.hpp"
 
 namespace rigsound::analysis {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "rigsound/analysis/wave_file.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/file/atomic_file.hpp"

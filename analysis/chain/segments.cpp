@@ -5,7 +5,8 @@
 #include <optional>
 
 #include "clicks/gaps.hpp"
-#include "clicks/quantile.hpp"
+#include "numeric/quantile.hpp"
+#include "rigsound/analysis/rate.hpp"
 
 namespace rigsound::analysis {
 namespace {

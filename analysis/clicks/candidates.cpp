@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/rate.hpp"
 
 namespace rigsound::analysis {
 namespace {

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "clicks/gaps.hpp"
-#include "clicks/quantile.hpp"
 #include "clicks/shift_search.hpp"
+#include "numeric/quantile.hpp"
 
 namespace rigsound::analysis {
 namespace {

@@ -6,8 +6,8 @@
 #include "clicks/click_edit.hpp"
 #include "clicks/envelope_fit.hpp"
 #include "clicks/gaps.hpp"
-#include "clicks/quantile.hpp"
 #include "clicks/shift_search.hpp"
+#include "numeric/quantile.hpp"
 
 namespace rigsound::analysis {
 namespace {

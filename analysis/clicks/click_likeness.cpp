@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "clicks/quantile.hpp"
 #include "clicks/rhythm.hpp"
-#include "rigsound/analysis/chain.hpp"
+#include "numeric/quantile.hpp"
+#include "rigsound/analysis/rate.hpp"
 
 namespace rigsound::analysis {
 namespace {

@@ -8,9 +8,9 @@
 #include <numeric>
 
 #include "clicks/gaps.hpp"
-#include "clicks/quantile.hpp"
 #include "denoise/divergence.hpp"
-#include "rigsound/analysis/chain.hpp"
+#include "numeric/quantile.hpp"
+#include "rigsound/analysis/rate.hpp"
 
 namespace rigsound::analysis {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clicks/nelder_mead.hpp"
+#include "numeric/nelder_mead.hpp"
 
 namespace rigsound::analysis {
 namespace {

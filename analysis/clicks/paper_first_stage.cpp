@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "clicks/integrated_energy.hpp"
-#include "clicks/quantile.hpp"
+#include "numeric/quantile.hpp"
 
 namespace rigsound::analysis {
 namespace {

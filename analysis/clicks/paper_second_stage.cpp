@@ -6,9 +6,9 @@
 #include "clicks/envelope.hpp"
 #include "clicks/gaps.hpp"
 #include "clicks/integrated_energy.hpp"
-#include "clicks/nelder_mead.hpp"
-#include "clicks/quantile.hpp"
 #include "clicks/train_power.hpp"
+#include "numeric/nelder_mead.hpp"
+#include "numeric/quantile.hpp"
 
 namespace rigsound::analysis {
 namespace {

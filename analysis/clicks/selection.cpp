@@ -6,7 +6,7 @@
 #include <random>
 
 #include "clicks/gaps.hpp"
-#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/rate.hpp"
 
 namespace rigsound::analysis {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <complex>
 
-#include "clicks/levinson.hpp"
-#include "clicks/quantile.hpp"
-#include "rigsound/analysis/chain.hpp"
+#include "numeric/levinson.hpp"
+#include "numeric/quantile.hpp"
+#include "rigsound/analysis/rate.hpp"
 
 namespace rigsound::analysis {
 namespace {

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "kernels/kl_kernels.hpp"
-#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/rate.hpp"
 
 namespace rigsound::analysis {
 namespace {

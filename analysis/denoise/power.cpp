@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "clicks/quantile.hpp"
 #include "kernels/is_kernels.hpp"
+#include "numeric/quantile.hpp"
 
 namespace rigsound::analysis {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "recording/clipping.hpp"
 #include "recording/resample.hpp"
-#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {

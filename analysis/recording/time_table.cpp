@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {

@@ -10,6 +10,7 @@
 #include "clicks/whitening.hpp"
 #include "report/outline.hpp"
 #include "report/panels.hpp"
+#include "rigsound/analysis/rate.hpp"
 
 namespace rigsound::analysis {
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "report/panels.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "rigsound/analysis/resynth.hpp"
 
 namespace rigsound::analysis {

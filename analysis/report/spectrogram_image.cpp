@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "denoise/stft.hpp"
-#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/rate.hpp"
 
 namespace rigsound::analysis {
 namespace {

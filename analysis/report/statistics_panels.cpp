@@ -6,6 +6,7 @@
 #include "bank/recorded_levels.hpp"
 #include "report/panels.hpp"
 #include "report/plot.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "rigsound/dsp/elementary.hpp"
 
 namespace rigsound::analysis {

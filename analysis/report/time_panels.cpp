@@ -6,6 +6,7 @@
 #include "report/outline.hpp"
 #include "report/panels.hpp"
 #include "report/spectrogram_image.hpp"
+#include "rigsound/analysis/rate.hpp"
 
 namespace rigsound::analysis {
 namespace {

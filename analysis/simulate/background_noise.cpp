@@ -3,7 +3,7 @@
 #include <cmath>
 #include <complex>
 
-#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "rigsound/diesel_model.hpp"
 #include "rigsound/dsp/elementary.hpp"
 #include "simulate/biquad_cascade.hpp"

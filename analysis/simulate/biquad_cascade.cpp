@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "rigsound/dsp/elementary.hpp"
 
 namespace rigsound::analysis {

@@ -5,7 +5,7 @@
 #include <complex>
 
 #include "clicks/envelope.hpp"
-#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "rigsound/dsp/elementary.hpp"
 
 namespace rigsound::analysis {

@@ -5,12 +5,12 @@
 #include <charconv>
 #include <cmath>
 
-#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "rigsound/analysis/wave_file.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/machine/input_error.hpp"
+#include "simulate/diesel_files.hpp"
 #include "simulate/drillbench_clip.hpp"
-#include "simulate/engine_files.hpp"
 #include "simulate/truth_files.hpp"
 
 namespace rigsound::analysis {
@@ -71,7 +71,7 @@ std::vector<std::string> write_situations(const fs::path& folder, std::uint64_t 
   std::vector<std::string> lines;
   for (int i = 0; i < kSituationCount; ++i)
     lines.push_back(write_situation(folder, simulate_situation(static_cast<Situation>(i), seed, seconds)));
-  for (std::string& line : write_engine(folder, {seed})) lines.push_back(std::move(line));
+  for (std::string& line : write_diesel(folder, {seed})) lines.push_back(std::move(line));
   return lines;
 }
 

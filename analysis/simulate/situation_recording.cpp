@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "simulate/background_noise.hpp"
 #include "simulate/situation_recipe.hpp"
 

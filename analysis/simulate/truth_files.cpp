@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "rigsound/file/atomic_file.hpp"
-#include "simulate/engine_recording.hpp"
+#include "simulate/diesel_recording.hpp"
 
 namespace rigsound::analysis {
 

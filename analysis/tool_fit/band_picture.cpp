@@ -4,7 +4,7 @@
 #include <cmath>
 #include <complex>
 
-#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "tool_fit/blow.hpp"
 
 namespace rigsound::analysis {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <complex>
 
-#include "clicks/nelder_mead.hpp"
-#include "rigsound/analysis/chain.hpp"
+#include "numeric/nelder_mead.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "rigsound/dsp/biquad.hpp"
 
 namespace rigsound::analysis {

@@ -5,7 +5,7 @@
 #include <complex>
 #include <unsupported/Eigen/FFT>
 
-#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "tool_fit/blow.hpp"
 
 namespace rigsound::analysis {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clicks/nelder_mead.hpp"
+#include "numeric/nelder_mead.hpp"
 #include "rigsound/tool_design.hpp"
 
 namespace rigsound::analysis {

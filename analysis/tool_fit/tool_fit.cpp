@@ -5,8 +5,8 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "clicks/nelder_mead.hpp"
-#include "rigsound/analysis/chain.hpp"
+#include "numeric/nelder_mead.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "tool_fit/band_picture.hpp"
 #include "tool_fit/blow.hpp"

@@ -1,6 +1,6 @@
 #include "tool_fit/trial_tool.hpp"
 
-#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "rigsound/machine/limits.hpp"
 #include "rigsound/tool_player.hpp"
 #include "tool_fit/blow.hpp"

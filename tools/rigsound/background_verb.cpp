@@ -8,9 +8,9 @@
 
 #include "background_paper.hpp"
 #include "number_range.hpp"
-#include "rigsound/analysis/background.hpp"
 #include "rigsound/analysis/background_plot.hpp"
-#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/diesel.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "rigsound/analysis/recording.hpp"
 #include "rigsound/analysis/time_table.hpp"
 #include "rigsound/analysis/wave_file.hpp"
@@ -34,7 +34,7 @@ struct BackgroundOptions {
   double seconds = 10, resynth_rpm = 0, resynth_load = -1, resynth_feed = 0;
   unsigned seed = 1;
   bool formula = false, json = false;
-  analysis::BackgroundSettings settings;
+  analysis::DieselSettings settings;
   PaperOptions paper;
 };
 
@@ -60,11 +60,11 @@ std::vector<double> speed_log(const std::string& file, std::size_t samples) {
   return analysis::at_every_sample(table, samples);
 }
 
-std::vector<analysis::EngineTake> takes_of(const BackgroundOptions& o) {
-  std::vector<analysis::EngineTake> takes;
+std::vector<analysis::DieselTake> takes_of(const BackgroundOptions& o) {
+  std::vector<analysis::DieselTake> takes;
   for (std::size_t i = 0; i < o.inputs.size(); ++i) {
     const analysis::Recording recording = analysis::read_recording(o.inputs[i], {}, "engine");
-    analysis::EngineTake take;
+    analysis::DieselTake take;
     take.source = o.inputs[i];
     take.mono = recording.mono;
     take.source_rate = recording.source_rate;
@@ -107,11 +107,11 @@ void write_resynthesis(const BackgroundOptions& o, const DieselModel& model) {
           ? std::vector<double>(samples, rpm)
           : analysis::at_every_sample(analysis::read_time_table(o.resynth_track, "rpm"), samples);
   const double load = o.resynth_load >= 0 ? o.resynth_load : model.points.front().load;
-  analysis::write_wave(o.resynth, analysis::play_background(model, track, load, o.resynth_feed, o.seed),
+  analysis::write_wave(o.resynth, analysis::play_diesel(model, track, load, o.resynth_feed, o.seed),
                        static_cast<int>(analysis::kAnalysisRate));
 }
 
-nlohmann::ordered_json report(const analysis::LearnedBackground& learned, const BackgroundOptions& o) {
+nlohmann::ordered_json report(const analysis::LearnedDiesel& learned, const BackgroundOptions& o) {
   const DieselModel& m = learned.model;
   nlohmann::ordered_json points = nlohmann::ordered_json::array();
   double samples = 0;
@@ -165,8 +165,8 @@ void learn(BackgroundOptions o) {
   o.settings.name = !o.name.empty() ? o.name
                     : o.formula     ? "formula"
                                     : fs::path(o.inputs.front()).stem().string();
-  analysis::LearnedBackground learned;
-  std::vector<analysis::EngineTake> takes;
+  analysis::LearnedDiesel learned;
+  std::vector<analysis::DieselTake> takes;
   if (o.formula) {
     learned.model = default_diesel();
     learned.model.name = o.settings.name;
@@ -174,7 +174,7 @@ void learn(BackgroundOptions o) {
       learned.points.push_back({p.source, p.rpm, p.load, 0, 0, 1, 1});
   } else {
     takes = takes_of(o);
-    learned = analysis::learn_background(takes, o.settings);
+    learned = analysis::learn_diesel(takes, o.settings);
   }
   for (const std::string& warning : learned.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
   if (!o.start.empty()) learned.model.start = analysis::read_recording(o.start, {}, "engine").mono;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "chain_arguments.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {

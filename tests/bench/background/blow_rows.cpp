@@ -4,8 +4,8 @@
 
 #include "background/learning.hpp"
 #include "background/table.hpp"
-#include "background_model/compared_cycles.hpp"
-#include "rigsound/analysis/chain.hpp"
+#include "diesel/compared_cycles.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "simulate/split_mix.hpp"
 
 namespace rigsound::bench {
@@ -22,7 +22,7 @@ double rms(const std::vector<float>& x) {
 }
 
 /// Adds white bursts that die away with kDecay_s, `db` over the engine.
-EngineTake hammered(EngineTake take, double db) {
+DieselTake hammered(DieselTake take, double db) {
   SplitMix draw(9);
   std::vector<float> blows(take.mono.size(), 0.0F);
   for (double t = 0.01; t < kSeconds - 0.1; t += (1 + 0.03 * draw.normal()) / kBlowRate_hz) {
@@ -37,10 +37,10 @@ EngineTake hammered(EngineTake take, double db) {
   return take;
 }
 
-double learned_error(const EngineTake& clean, const EngineTake& heard) {
-  BackgroundSettings settings;
+double learned_error(const DieselTake& clean, const DieselTake& heard) {
+  DieselSettings settings;
   settings.name = "hammered";
-  const DieselModel model = learn_background({heard}, settings).model;
+  const DieselModel model = learn_diesel({heard}, settings).model;
   const DieselPoint& point = model.points.front();
   return likeness(played_cycles(model, point, 200, 1),
                   recorded_cycles(section_of(clean), point, model.angle_samples), 9000)
@@ -50,11 +50,11 @@ double learned_error(const EngineTake& clean, const EngineTake& heard) {
 }  // namespace
 
 void blow_rows(Table& table) {
-  const EngineTake clean = steady_take(kSpeed_rpm, kSeconds, 1);
+  const DieselTake clean = steady_take(kSpeed_rpm, kSeconds, 1);
   table.at_most("learned under blows as loud as the engine", 3.0, learned_error(clean, hammered(clean, 0)),
                 "dB");
   table.at_most("learned under blows 6 dB louder", 5.5, learned_error(clean, hammered(clean, 6)), "dB");
-  EngineTake deaf = hammered(clean, 0);
+  DieselTake deaf = hammered(clean, 0);
   deaf.blows_s.clear();
   table.note("  the blows listened to, equal level", learned_error(clean, deaf), "dB");
 }

@@ -6,11 +6,11 @@ namespace rigsound::bench {
 
 using namespace rigsound::analysis;
 
-EngineTake simulated_take(const std::vector<double>& rpm, unsigned seed) {
-  EngineRun run;
+DieselTake simulated_take(const std::vector<double>& rpm, unsigned seed) {
+  DieselRun run;
   run.rpm = rpm, run.seed = seed;
-  const EngineRecording recording = simulate_engine(run);
-  EngineTake take;
+  const DieselRecording recording = simulate_diesel(run);
+  DieselTake take;
   take.source = fmt::format("simulated {:.0f}", rpm.front());
   take.mono.assign(recording.sound.begin(), recording.sound.end());
   take.rpm = rpm.front();
@@ -18,11 +18,11 @@ EngineTake simulated_take(const std::vector<double>& rpm, unsigned seed) {
   return take;
 }
 
-EngineTake steady_take(double rpm, double seconds, unsigned seed) {
+DieselTake steady_take(double rpm, double seconds, unsigned seed) {
   return simulated_take(steady_rpm(rpm, seconds), seed);
 }
 
-Section section_of(const EngineTake& take) {
+Section section_of(const DieselTake& take) {
   std::vector<std::string> warnings;
   return sections_of({take}, warnings).front();
 }

@@ -6,11 +6,11 @@
 
 #include "background/learning.hpp"
 #include "background/table.hpp"
-#include "background_model/angle_domain.hpp"
-#include "background_model/compared_cycles.hpp"
-#include "background_model/hbwt.hpp"
-#include "background_model/subband_noise.hpp"
-#include "rigsound/analysis/chain.hpp"
+#include "diesel/angle_domain.hpp"
+#include "diesel/compared_cycles.hpp"
+#include "diesel/hbwt.hpp"
+#include "note/subband_noise.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "rigsound/analysis/recording.hpp"
 #include "rigsound/dsp/fft.hpp"
 
@@ -93,7 +93,7 @@ struct Bounds {
 };
 
 /// The rows of one way to play the high layer; returns the cyclic envelope's error.
-double model_rows(Table& table, const EngineTake& take, const DieselModel& model, const Bounds& bounds) {
+double model_rows(Table& table, const DieselTake& take, const DieselModel& model, const Bounds& bounds) {
   const DieselPoint& point = model.points.front();
   const double highest = std::min(9000.0, 0.45 * take.source_rate);
   const CyclicSound recorded = recorded_cycles(section_of(take), point, model.angle_samples);
@@ -107,7 +107,7 @@ double model_rows(Table& table, const EngineTake& take, const DieselModel& model
                 loop_correlation(endless), "");
   const std::vector<double> steady(static_cast<std::size_t>(kEndless_s * kAnalysisRate), point.rpm);
   table.at_most("180 s, " + bounds.name + ": level drift", 0.2,
-                level_drift(play_background(model, steady, point.load, 0, 3)), "dB");
+                level_drift(play_diesel(model, steady, point.load, 0, 3)), "dB");
   return l.cyclic_envelope_db;
 }
 
@@ -117,12 +117,12 @@ void recording_rows(Table& table, const fs::path& data) {
   const fs::path file = data / "engine/idle_26.63hz.wav";
   if (!fs::exists(file)) return table.skip("the real idle", file.string() + " is not there");
   const Recording recording = read_recording(file);
-  EngineTake take;
+  DieselTake take;
   take.source = file.string(), take.mono = recording.mono, take.source_rate = recording.source_rate;
   take.rpm = kIdle_rpm;
-  BackgroundSettings settings;
+  DieselSettings settings;
   settings.name = "idle";
-  const DieselModel slots = learn_background({take}, settings).model;
+  const DieselModel slots = learn_diesel({take}, settings).model;
   const double envelope = model_rows(table, take, slots, {"parametric", 0.9, 0.95, 3.0, 0.02});
 
   const DieselPoint& point = slots.points.front();
@@ -132,7 +132,7 @@ void recording_rows(Table& table, const fs::path& data) {
   table.at_least("idle, L = 1 over parametric: cyclic envelope", 2, paper.cyclic_envelope_db / envelope, "");
 
   settings.grains = kGrains;
-  model_rows(table, take, learn_background({take}, settings).model, {"48 grains", 0.8, 0.55, 1.8, 0.10});
+  model_rows(table, take, learn_diesel({take}, settings).model, {"48 grains", 0.8, 0.55, 1.8, 0.10});
 
   const auto parameters = static_cast<double>(parameter_count(slots));
   table.at_most("size of the bank", 48, 4 * parameters / 1000, "kB");

@@ -34,11 +34,11 @@ std::vector<double> block_costs(const DieselModel& model, double rpm) {
 }
 
 void cost_rows(Table& table) {
-  BackgroundSettings settings;
+  DieselSettings settings;
   settings.name = "cost";
-  std::vector<EngineTake> takes;
+  std::vector<DieselTake> takes;
   for (const double rpm : {700.0, 1300.0, 2300.0}) takes.push_back(steady_take(rpm, 20, 1));
-  const DieselModel model = learn_background(takes, settings).model;
+  const DieselModel model = learn_diesel(takes, settings).model;
   double mean = 0, worst = 0;
   for (const double rpm : {600.0, 1500.0, 2400.0}) {
     const std::vector<double> us = block_costs(model, rpm);

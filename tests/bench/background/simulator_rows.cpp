@@ -5,11 +5,11 @@
 
 #include "background/learning.hpp"
 #include "background/table.hpp"
-#include "background_model/angle_domain.hpp"
-#include "background_model/compared_cycles.hpp"
-#include "background_model/order_analysis.hpp"
+#include "diesel/angle_domain.hpp"
+#include "diesel/compared_cycles.hpp"
+#include "diesel/order_analysis.hpp"
 #include "diesel/source_point.hpp"
-#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/rate.hpp"
 
 namespace rigsound::bench {
 namespace {
@@ -20,17 +20,17 @@ constexpr double kBank_s = 30;
 constexpr double kHighest_hz = 9000;
 constexpr int kTruthSeed = 100;
 
-std::vector<EngineTake> banks(const std::vector<double>& speeds) {
-  std::vector<EngineTake> takes;
+std::vector<DieselTake> banks(const std::vector<double>& speeds) {
+  std::vector<DieselTake> takes;
   for (std::size_t i = 0; i < speeds.size(); ++i)
     takes.push_back(steady_take(speeds[i], kBank_s, static_cast<unsigned>(i + 1)));
   return takes;
 }
 
-DieselModel learned(const std::vector<EngineTake>& takes) {
-  BackgroundSettings settings;
+DieselModel learned(const std::vector<DieselTake>& takes) {
+  DieselSettings settings;
   settings.name = "simulated";
-  return learn_background(takes, settings).model;
+  return learn_diesel(takes, settings).model;
 }
 
 /// Mean power of every 100 ms in third-octave bands: bands x frames.
@@ -65,9 +65,9 @@ std::vector<double> run_up() {
 }
 
 std::vector<double> true_run_up(int seed) {
-  EngineRun run;
+  DieselRun run;
   run.rpm = run_up(), run.seed = static_cast<std::uint64_t>(seed);
-  return third_octave_frames(simulate_engine(run).sound);
+  return third_octave_frames(simulate_diesel(run).sound);
 }
 
 void ramp_rows(Table& table) {
@@ -77,7 +77,7 @@ void ramp_rows(Table& table) {
     truth.resize(one.size());
     for (std::size_t i = 0; i < one.size(); ++i) truth[i] += one[i] / 3;
   }
-  const std::vector<float> y = play_background(learned(banks({600, 1200, 2400})), run_up(), 0, 0, 1);
+  const std::vector<float> y = play_diesel(learned(banks({600, 1200, 2400})), run_up(), 0, 0, 1);
   table.at_most("600 -> 2400 r/min in 2 s, banks at 600, 1200, 2400", 2.0,
                 distance_db(third_octave_frames({y.begin(), y.end()}), truth), "dB");
   table.note("  the same machine once more (floor)", distance_db(true_run_up(kTruthSeed + 3), truth), "dB");
@@ -95,7 +95,7 @@ double error_at(const DieselModel& model, double rpm) {
 
 /// Banks at `speeds`, and a run-up that only tells what the body is like.
 DieselModel learned_with_run_up(const std::vector<double>& speeds) {
-  std::vector<EngineTake> takes = banks(speeds);
+  std::vector<DieselTake> takes = banks(speeds);
   takes.push_back(simulated_take(ramp_rpm(700, 2200, kBank_s), 20));
   DieselModel model = learned(takes);
   model.points.resize(speeds.size());

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "background/table.hpp"
-#include "background_model/hbwt.hpp"
-#include "background_model/subband_noise.hpp"
+#include "diesel/hbwt.hpp"
+#include "note/subband_noise.hpp"
 #include "rigsound/dsp/fft.hpp"
 #include "simulate/split_mix.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "rigsound/dsp/random.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "tool_fit/trial_tool.hpp"

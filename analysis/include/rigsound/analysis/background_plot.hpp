@@ -4,14 +4,14 @@
 #include <filesystem>
 #include <vector>
 
-#include "rigsound/analysis/background.hpp"
+#include "rigsound/analysis/diesel.hpp"
 
 namespace rigsound::analysis {
 
 /// SVG, one row a point of the model: spectrum with the orders marked (left), mean power over the engine
 /// cycle in octaves (right); recorded and modelled. Without takes only the model. Errors: DeviceError.
 /// Thread: OFF.
-void write_background_plot(const std::filesystem::path& file, const std::vector<EngineTake>& takes,
+void write_background_plot(const std::filesystem::path& file, const std::vector<DieselTake>& takes,
                            const DieselModel& model);
 
 }  // namespace rigsound::analysis

@@ -10,8 +10,6 @@
 
 namespace rigsound::analysis {
 
-constexpr double kAnalysisRate = 48000;  ///< Hz; recordings are resampled to it when they are read
-
 enum class Method { kClickNmf, kPaper };
 
 struct ChainOptions {

@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "analysis/noise.hpp"
-#include "rigsound/analysis/chain.hpp"
 
 using namespace rigsound::analysis;
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "analysis/noise.hpp"
-#include "clicks/levinson.hpp"
+#include "numeric/levinson.hpp"
 
 using namespace rigsound::analysis;
 

@@ -1,0 +1,16 @@
+// A recording and its model as cycles that begin at the same crank angle, ready to be compared.
+#pragma once
+
+#include "diesel/likeness.hpp"
+#include "diesel/section.hpp"
+#include "rigsound/diesel_model.hpp"
+
+namespace rigsound::analysis {
+
+/// The cycles of `section`, turned to the crank angle of `point`, N angle samples each. Thread: OFF.
+CyclicSound recorded_cycles(const Section& section, const DieselPoint& point, int N);
+
+/// What the engine's voice makes of `model` at the speed and load of `point`, turned likewise. Thread: OFF.
+CyclicSound played_cycles(const DieselModel& model, const DieselPoint& point, int cycles, unsigned seed);
+
+}  // namespace rigsound::analysis

@@ -1,0 +1,277 @@
+#include <algorithm>
+#include <cmath>
+
+#include "diesel/angle_domain.hpp"
+#include "diesel/body_filter.hpp"
+#include "diesel/body_fit.hpp"
+#include "diesel/free_lines.hpp"
+#include "diesel/low_analysis.hpp"
+#include "diesel/order_analysis.hpp"
+#include "diesel/phase_advance.hpp"
+#include "diesel/section.hpp"
+#include "diesel/slot_analysis.hpp"
+#include "rigsound/analysis/diesel.hpp"
+#include "rigsound/analysis/rate.hpp"
+#include "rigsound/default_diesel.hpp"
+#include "rigsound/dsp/butterworth.hpp"
+
+namespace rigsound::analysis {
+namespace {
+
+constexpr double kHighestOrder_hz = 11000;
+constexpr double kSlot_s = 0.0022;
+constexpr double kBelowCrossover = 0.7;  // high-pass of the analysis; the voice has its own at f_x
+constexpr int kWindowCycles = 8;         // of a run-up, for the body
+constexpr double kSure = 3;              // times the noise, for a level that shapes the body
+constexpr double kHidden = 0.04;         // of its power is left of an order that chance may have made
+constexpr double kFormulaRms = 0.05;     // level the built-in hydraulics go with
+
+int power_of_two_from(double least, int low, int high) {
+  int n = low;
+  while (n < high && n < least) n *= 2;
+  return n;
+}
+
+/// A section on its way through the analysis.
+struct Work {
+  const Section* section = nullptr;
+  double origin = 0;
+  CycleBlock block;
+  Orders orders;
+  std::vector<double> residual, high;  // per sample of the section
+  DieselPoint point;
+};
+
+/// Two poles for every 375 Hz that were recorded, a multiple of the voice's eight lanes; 96 are what a block
+/// has time for.
+int body_order(const std::vector<Section>& sections) {
+  double nyquist = 0;
+  for (const Section& s : sections) nyquist = std::max(nyquist, s.nyquist_hz);
+  return std::clamp(8 * static_cast<int>(std::lround(nyquist / 1500)), 32, 96);
+}
+
+int last_order(const Section& s, int N_theta) {
+  const double highest = std::min(kHighestOrder_hz, 0.95 * s.nyquist_hz);
+  return std::min(static_cast<int>(highest / s.f0()), N_theta / 2 - 1);
+}
+
+void set_shape(const std::vector<Section>& sections, const DieselSettings& settings, DieselModel& model) {
+  double slowest = 1e9, log_sum = 0, nyquist = 0;
+  int fewest = 1 << 20;
+  for (const Section& s : sections) {
+    slowest = std::min(slowest, s.f0());
+    log_sum += std::log(s.f0());
+    nyquist = std::max(nyquist, s.nyquist_hz);
+    fewest = std::min(fewest, static_cast<int>(s.theta.back() - s.theta.front()));
+  }
+  const double nominal = std::exp(log_sum / static_cast<double>(sections.size()));
+  model.name = settings.name;
+  model.sample_rate = kAnalysisRate;
+  // Grains bring the modulation of the cycle down to where they begin; slots need the wavelets a little
+  // longer.
+  model.crossover_hz = settings.crossover_hz > 0 ? settings.crossover_hz : settings.grains > 0 ? 200 : 300;
+  model.angle_samples = power_of_two_from(2 * nyquist / slowest, 1024, kMaxCrankAngle);
+  model.low_channels = power_of_two_from(2.6 * model.crossover_hz / slowest, 64, 1024);
+  const int L = 1 << std::lround(std::log2(1 / (nominal * kSlot_s)));
+  model.slots =
+      std::clamp(L, std::max(16, model.angle_samples / 128), std::min(256, model.angle_samples / 16));
+  model.low_scales = std::clamp(static_cast<int>(std::floor(std::log2(fewest / 10.0))), 0, 3);
+}
+
+/// Turns every take to the crank angle of the first: its section nearest in speed decides.
+std::vector<double> crank_origins(const std::vector<Work>& work) {
+  const int takes = work.back().section->take + 1;
+  std::vector<double> origin(static_cast<std::size_t>(takes), 0.0);
+  for (int take = 1; take < takes; ++take) {
+    double nearest = 1e9;
+    for (const Work& a : work)
+      for (const Work& b : work) {
+        if (a.section->take >= take || b.section->take != take) continue;
+        const double distance = std::fabs(std::log(a.section->f0() / b.section->f0()));
+        if (distance >= nearest) continue;
+        nearest = distance;
+        origin[static_cast<std::size_t>(take)] =
+            origin[static_cast<std::size_t>(a.section->take)] + crank_shift(a.orders, b.orders);
+      }
+  }
+  for (double& o : origin) o -= std::floor(o);
+  return origin;
+}
+
+/// Leaves what a cycle does not repeat, in time.
+void take_off_orders(Work& work) {
+  const Section& s = *work.section;
+  const std::vector<double> cycle = mean_cycle(work.block, 0, work.block.cycles);
+  std::vector<double> wrapped(cycle.end() - 32, cycle.end()), at;
+  wrapped.insert(wrapped.end(), cycle.begin(), cycle.end());
+  wrapped.insert(wrapped.end(), cycle.begin(), cycle.begin() + 32);
+  for (const double theta : s.theta) {
+    const double angle = theta - work.origin;
+    at.push_back(32 + (angle - std::floor(angle)) * work.block.N);
+  }
+  work.residual = s.x;
+  const std::vector<double> repeated = interpolated(wrapped, at, {32, 10, 1});
+  for (std::size_t n = 0; n < s.x.size(); ++n) work.residual[n] -= repeated[n];
+}
+
+/// Lines off the orders become tones of the model: in slots they would be noise.
+std::vector<DieselOscillator> take_off_lines(int N_theta, std::vector<Work>& work) {
+  std::vector<Unrepeated> heard;
+  for (const Work& w : work) heard.push_back({w.section, &w.residual});
+  std::vector<DieselOscillator> tones;
+  for (const FreeLine& line : free_lines(heard, N_theta)) {
+    for (std::size_t i = 0; i < work.size(); ++i)
+      work[i].residual = without_line(*work[i].section, std::move(work[i].residual), line.frequency[i],
+                                      line.tone.order_locked);
+    tones.push_back(line.tone);
+  }
+  return tones;
+}
+
+/// The part of the residual over the crossover.
+void split_high(double f_x, Work& work) {
+  const Section& s = *work.section;
+  if (s.open.empty()) {
+    work.high = zero_phase_high_pass(work.residual, kBelowCrossover * f_x, kAnalysisRate);
+    return;
+  }
+  // Only forward: a blow must not ring into the silence before it.
+  dsp::Butterworth6 filter(dsp::Pass::kHigh, kBelowCrossover * f_x, kAnalysisRate);
+  for (const double v : work.residual) work.high.push_back(filter.process(v));
+}
+
+/// Orders as far as chance did not make them (Wiener's gain). None is put out: a bank in which an order hides
+/// would silence it half the way to the next bank.
+std::vector<std::complex<float>> sure_orders(const Orders& orders) {
+  std::vector<std::complex<float>> C;
+  for (std::size_t k = 0; k < orders.C.size(); ++k) {
+    const double power = std::norm(orders.C[k]);
+    const double gain = std::sqrt(std::max(kHidden, 1 - orders.noise[k] / (power + 1e-300)));
+    C.emplace_back(static_cast<std::complex<float>>(gain * orders.C[k]));
+  }
+  return C;
+}
+
+OrderLevels levels_of(const Orders& orders, double f0, double load) {
+  OrderLevels levels;
+  levels.f0 = f0, levels.group = static_cast<int>(std::lround(load * 100));
+  for (std::size_t k = 0; k < orders.C.size(); ++k) {
+    const double power = std::norm(orders.C[k]);
+    levels.db.push_back(power > kSure * orders.noise[k] ? 10 * std::log10(power - orders.noise[k]) : NAN);
+  }
+  return levels;
+}
+
+void add_moments(const Work& work, int last, std::vector<OrderLevels>& moments) {
+  const Section& s = *work.section;
+  if (!s.run_up) {
+    moments.push_back(levels_of(work.orders, s.f0(), s.load));
+    return;
+  }
+  for (int first = 0; first + kWindowCycles <= work.block.cycles; first += kWindowCycles / 2) {
+    const auto at = std::lower_bound(s.theta.begin(), s.theta.end(), work.block.origin + first);
+    const auto end =
+        std::lower_bound(s.theta.begin(), s.theta.end(), work.block.origin + first + kWindowCycles);
+    const double f0 = kWindowCycles * kAnalysisRate / static_cast<double>(end - at);
+    moments.push_back(levels_of(orders_of(work.block, first, kWindowCycles, last), f0, s.load));
+  }
+}
+
+LearnedPoint report_of(const Work& work) {
+  const Section& s = *work.section;
+  return {s.source,
+          120 * s.f0(),
+          s.load,
+          static_cast<double>(s.x.size()) / kAnalysisRate,
+          work.block.cycles,
+          s.correlation,
+          work.orders.synchronous};
+}
+
+void learn_noise(const DieselModel& model, int grains, Work& work) {
+  const Section& s = *work.section;
+  const std::vector<double> A(model.body_filter.begin(), model.body_filter.end());
+  const auto white_cycles = [&](const std::vector<double>& high) {
+    return cycles_of(s, whitened(high, A), work.origin, model.angle_samples);
+  };
+  learn_slots(white_cycles(work.high), model.slots, work.point);
+  if (grains > 0 && s.open.empty())
+    learn_grains(white_cycles(phase_advanced(work.high, model.crossover_hz)), grains, work.point);
+  learn_low_layer(cycles_of(s, work.residual, work.origin, model.angle_samples), model.low_channels,
+                  model.low_scales, work.point);
+  gate_low_layer(s, work.residual, model.crossover_hz, model.low_channels, work.point);
+}
+
+/// The recordings hold a diesel; the pump is the formula's, as loud beside it.
+void add_hydraulics(const std::vector<Section>& sections, DieselModel& model) {
+  double power = 0;
+  std::size_t samples = 0;
+  for (const Section& s : sections) {
+    for (const double v : s.x) power += v * v;
+    samples += s.x.size();
+  }
+  model.hydraulic = default_diesel().hydraulic;
+  const double gain = std::sqrt(power / static_cast<double>(samples)) / kFormulaRms;
+  for (float& v : model.hydraulic.pump) v *= static_cast<float>(gain);
+  model.hydraulic.flow *= gain;
+}
+
+}  // namespace
+
+LearnedDiesel learn_diesel(const std::vector<DieselTake>& takes, const DieselSettings& settings) {
+  LearnedDiesel learned;
+  DieselModel& model = learned.model;
+  const std::vector<Section> sections = sections_of(takes, learned.warnings);
+  set_shape(sections, settings, model);
+
+  const int order = settings.order > 0 ? settings.order : body_order(sections);
+  std::vector<Work> work(sections.size());
+  for (std::size_t i = 0; i < work.size(); ++i) {
+    work[i].section = &sections[i];
+    work[i].block = cycles_of(sections[i], sections[i].x, 0, model.angle_samples);
+    work[i].orders =
+        orders_of(work[i].block, 0, work[i].block.cycles, last_order(sections[i], model.angle_samples));
+  }
+  const std::vector<double> origins = crank_origins(work);
+  std::vector<OrderLevels> moments;
+  std::vector<std::vector<double>> autocorrelations;
+  for (Work& w : work) {
+    w.origin = origins[static_cast<std::size_t>(w.section->take)];
+    w.block = cycles_of(*w.section, w.section->x, w.origin, model.angle_samples);
+    const int last = last_order(*w.section, model.angle_samples);
+    w.orders = orders_of(w.block, 0, w.block.cycles, last);
+    add_moments(w, last, moments);
+    take_off_orders(w);
+  }
+  model.oscillators = take_off_lines(model.angle_samples, work);
+  for (Work& w : work) {
+    split_high(model.crossover_hz, w);
+    autocorrelations.push_back(body_autocorrelation(w.high, w.section->open, w.section->nyquist_hz, order));
+  }
+  model.body = fit_body(moments);
+  const std::vector<double> A = common_body(autocorrelations);
+  model.body_filter.assign(A.begin(), A.end());
+
+  for (Work& w : work) {
+    w.point.source = w.section->source;
+    w.point.rpm = 120 * w.section->f0();
+    w.point.load = w.section->load;
+    w.point.orders = sure_orders(w.orders);
+    learn_noise(model, settings.grains, w);
+    learned.points.push_back(report_of(w));
+    model.points.push_back(std::move(w.point));
+  }
+  add_hydraulics(sections, model);
+  return learned;
+}
+
+std::size_t parameter_count(const DieselModel& model) {
+  std::size_t count = model.body_filter.size() + model.body.db.size() + 4 * model.oscillators.size() +
+                      model.hydraulic.pump.size() + model.hydraulic.flow_filter.size() + 12;
+  for (const DieselPoint& p : model.points)
+    count +=
+        2 * p.orders.size() + p.low_variance.size() + p.slot_variance.size() + p.slot_log_variance.size() + 3;
+  return count;
+}
+
+}  // namespace rigsound::analysis

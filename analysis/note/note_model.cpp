@@ -1,0 +1,196 @@
+#include "rigsound/analysis/note_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "diesel/angle_domain.hpp"
+#include "diesel/hbwt.hpp"
+#include "note/elementary_waveforms.hpp"
+#include "note/harmonic_error.hpp"
+#include "note/note_pitch.hpp"
+#include "note/subband_noise.hpp"
+#include "rigsound/analysis/rate.hpp"
+#include "rigsound/dsp/wavelet.hpp"
+#include "rigsound/machine/input_error.hpp"
+
+namespace rigsound::analysis {
+namespace {
+
+constexpr int kScales = 4, kScalesKept = 3;
+constexpr int kEnergyWindow = 20;  // coefficients (section 5)
+constexpr int kFirstOrder = 10;    // of the AR filters, in the second subband (section 5)
+constexpr double kHighest_hz = 10000;
+constexpr double kBandwidth = 0.92;
+
+/// Rows of one scale whose filters see nothing but frames first ... last - 1.
+struct RowRange {
+  int from = 0, to = 0;
+  int count() const { return std::max(0, to - from); }
+};
+
+RowRange steady_rows(int scale, int first, int last) {
+  const int hop = 1 << scale, reach = (dsp::kDb4Taps - 1) * (hop - 1);
+  return {(first + hop - 1) / hop, (last - reach) / hop};
+}
+
+class NoteSynthesis {
+ public:
+  NoteSynthesis(const NoteSettings& settings, HbwtCoefficients<double> c, int first, int last)
+      : settings_(settings), c_(std::move(c)), first_(first), last_(last), chance_(settings.seed) {}
+
+  /// Puts noise where the note is steady and counts what the noise was made of.
+  void replace() {
+    const auto P = static_cast<std::size_t>(c_.shape.P);
+    for (std::size_t q = 0; q < P; ++q) replace_channel(q);
+    if (settings_.one_over_f) parameters_ += 2 * P;
+  }
+  void silence_first_subband() {
+    const RowRange rows = steady_rows(1, first_, last_);
+    const auto P = static_cast<std::size_t>(c_.shape.P);
+    for (int i = rows.from; i < rows.to; ++i)
+      std::fill_n(c_.d[0].begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(i) * P), P, 0.0);
+  }
+  /// The first subband of the steady part alone.
+  std::vector<double> first_subband() const {
+    HbwtCoefficients<double> only = c_;
+    for (auto& d : only.d) std::fill(d.begin(), d.end(), 0.0);
+    std::fill(only.a.begin(), only.a.end(), 0.0);
+    const RowRange rows = steady_rows(1, first_, last_);
+    const int P = c_.shape.P;
+    std::copy(c_.d[0].begin() + rows.from * P, c_.d[0].begin() + rows.to * P,
+              only.d[0].begin() + rows.from * P);
+    return inverse_hbwt(only);
+  }
+  std::vector<double> sound() const { return inverse_hbwt(c_); }
+  std::size_t parameters() const { return parameters_; }
+
+ private:
+  Subband read(const std::vector<double>& rows, const RowRange& range, std::size_t q) const {
+    Subband d;
+    for (int i = range.from; i < range.to; ++i)
+      d.push_back(rows[static_cast<std::size_t>(i * c_.shape.P) + q]);
+    return d;
+  }
+  void write(std::vector<double>& rows, const RowRange& range, std::size_t q, const Subband& d, double mean) {
+    for (int i = range.from; i < range.to; ++i)
+      rows[static_cast<std::size_t>(i * c_.shape.P) + q] = mean + d[static_cast<std::size_t>(i - range.from)];
+  }
+
+  void replace_channel(std::size_t q) {
+    const int N = c_.shape.N;
+    const RowRange scaling = steady_rows(N, first_, last_);
+    Subband slow = read(c_.a, scaling, q);
+    double mean = 0;
+    for (const double v : slow) mean += v / static_cast<double>(slow.size());
+    for (double& v : slow) v -= mean;
+
+    std::vector<Subband> details;
+    std::vector<double> variance;
+    for (int n = 1; n <= N; ++n) {
+      details.push_back(read(c_.d[static_cast<std::size_t>(n - 1)], steady_rows(n, first_, last_), q));
+      variance.push_back(power_of(details.back()));
+    }
+    double slow_variance = power_of(slow);
+    if (settings_.one_over_f) {
+      const OneOverF law = fit_one_over_f(variance);
+      for (int n = 1; n <= N; ++n) variance[static_cast<std::size_t>(n - 1)] = law.variance(n);
+      slow_variance = law.variance(N + 1);
+    }
+    for (int n = settings_.waveforms > 0 ? 2 : 1; n <= N; ++n) {
+      const auto i = static_cast<std::size_t>(n - 1);
+      NoiseShape shape{variance[i], settings_.colour && n >= 2 ? std::max(0, kFirstOrder - 2 * (n - 2)) : 0,
+                       settings_.time_varying ? kEnergyWindow : 0};
+      write(c_.d[i], steady_rows(n, first_, last_), q, noise_like(details[i], shape, chance_), 0);
+      count(details[i].size(), shape);
+    }
+    if (settings_.keep_harmonics) {
+      parameters_ += slow.size();
+      return;
+    }
+    write(c_.a, scaling, q, noise_like(slow, {slow_variance, 0, 0}, chance_), mean);
+    parameters_ += settings_.one_over_f ? 1 : 2;
+  }
+
+  void count(std::size_t coefficients, const NoiseShape& shape) {
+    parameters_ += (settings_.one_over_f ? 0 : 1) + static_cast<std::size_t>(shape.order);
+    if (shape.window > 0) parameters_ += coefficients / static_cast<std::size_t>(shape.window);
+  }
+
+  NoteSettings settings_;
+  HbwtCoefficients<double> c_;
+  int first_, last_;
+  std::mt19937_64 chance_;
+  std::size_t parameters_ = 0;
+};
+
+int channels_for(double f0) {
+  int P = 16;
+  while (P * f0 < kBandwidth * kAnalysisRate) P *= 2;
+  return P;
+}
+
+std::vector<float> back_in_time(const std::vector<double>& y, const NotePitch& pitch, double origin, int P) {
+  std::vector<double> at;
+  for (const double theta : pitch.theta) at.push_back((theta - origin) * P);
+  const std::vector<double> x = interpolated(y, at);
+  return {x.begin(), x.end()};
+}
+
+}  // namespace
+
+NoteModel model_note(const std::string& source, const std::vector<float>& mono, const NoteSettings& wanted) {
+  NoteSettings settings = wanted;
+  if (settings.N == 0) settings.N = settings.keep_harmonics ? kScalesKept : kScales;
+  const std::vector<double> x(mono.begin(), mono.end());
+  const NotePitch pitch = pitch_of(source, x);
+  NoteModel model;
+  model.f0 = pitch.f0;
+  model.P = channels_for(pitch.f0);
+  model.steady_from_s = static_cast<double>(pitch.from) / kAnalysisRate;
+  model.steady_to_s = static_cast<double>(pitch.to) / kAnalysisRate;
+
+  const double origin = std::ceil(pitch.theta.front());
+  const auto count = static_cast<std::size_t>((pitch.theta.back() - origin) * model.P);
+  Sinc sinc;
+  sinc.bandwidth *= std::min(1.0, model.P * pitch.f0 / kAnalysisRate);
+  const std::vector<double> y = interpolated(x, samples_at_angles(pitch.theta, origin, model.P, count), sinc);
+
+  // Frame r covers the periods r - 1 and r.
+  const int first = static_cast<int>(std::ceil(pitch.theta[pitch.from] - origin)) + 1;
+  const int last = static_cast<int>(std::floor(pitch.theta[pitch.to - 1] - origin));
+  const RowRange coarsest = steady_rows(settings.N, first, last);
+  if (coarsest.count() < 2)
+    throw InputError(source, "is steady for too few periods, expected " + std::to_string(10 << settings.N));
+
+  NoteSynthesis note(settings, hbwt(y, {model.P, 1, settings.N}), first, last);
+  const std::vector<double> first_subband =
+      settings.waveforms > 0 ? note.first_subband() : std::vector<double>();
+  note.replace();
+  if (settings.waveforms > 0) note.silence_first_subband();
+  std::vector<double> synthesised = note.sound();
+  model.parameters = note.parameters();
+  const std::size_t from =
+      static_cast<std::size_t>(coarsest.from << settings.N) * static_cast<std::size_t>(model.P);
+  const std::size_t to =
+      static_cast<std::size_t>(coarsest.to << settings.N) * static_cast<std::size_t>(model.P);
+  if (settings.waveforms > 0) {
+    const ElementaryWaveforms waveforms(first_subband, from, to, model.P, settings.waveforms);
+    waveforms.play(settings.seed, synthesised);
+    model.parameters += waveforms.parameters();
+  }
+  model.periods = static_cast<int>((to - from) / static_cast<std::size_t>(model.P));
+  model.ratio = static_cast<double>(to - from) / static_cast<double>(model.parameters);
+  model.whole_ratio = static_cast<double>(y.size()) /
+                      (static_cast<double>(model.parameters) + static_cast<double>(y.size() - (to - from)));
+  const HarmonicError error = harmonic_error(
+      {synthesised.begin() + static_cast<std::ptrdiff_t>(from),
+       synthesised.begin() + static_cast<std::ptrdiff_t>(to)},
+      {y.begin() + static_cast<std::ptrdiff_t>(from), y.begin() + static_cast<std::ptrdiff_t>(to)}, model.P,
+      std::min(model.P / 2 - 1, static_cast<int>(kHighest_hz / pitch.f0)));
+  model.at_db = error.at_db, model.near_db = error.near_db, model.between_db = error.between_db;
+  model.sound = back_in_time(synthesised, pitch, origin, model.P);
+  return model;
+}
+
+}  // namespace rigsound::analysis
