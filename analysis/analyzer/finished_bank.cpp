@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "report/report_section.hpp"
 #include "rigsound/config/bank_files.hpp"
 #include "rigsound/file/atomic_file.hpp"
 #include "rigsound/machine/input_error.hpp"
@@ -18,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Raised whenever the chain or the bank builder changes what it computes: older banks are then analysed anew.
-constexpr int kAnalysisRevision = 2;
+constexpr int kAnalysisRevision = 3;
 
 struct Figure {
   const char* key;
@@ -65,10 +66,6 @@ BankFigures read_figures(const fs::path& path) {
 }
 
 }  // namespace
-
-fs::path report_section_path(const fs::path& sound_set, const std::string& bank) {
-  return bank_folder(sound_set, bank) / "report.html";
-}
 
 std::string settings_of(const Part& part, const AnalyzerOptions& options) {
   std::string text = fmt::format("revision={} method={} denoise={} clicks={}", kAnalysisRevision,

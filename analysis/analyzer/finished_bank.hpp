@@ -21,7 +21,4 @@ std::optional<AnalysedPart> finished_part(const Part& part, const std::string& s
 void save_part(const AnalysedPart& analysed, const ClickBank& bank, const std::string& sha256,
                const std::string& report_section, const AnalyzerOptions& options);
 
-/// banks/NAME/report.html
-std::filesystem::path report_section_path(const std::filesystem::path& sound_set, const std::string& bank);
-
 }  // namespace rigsound::analysis

@@ -3,18 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "bank/segment.hpp"
-#include "rigsound/analysis/rate.hpp"
 #include "rigsound/analysis/recording.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
 namespace {
-
-constexpr double kLongestSegment_s = 4, kLongestPaperSegment_s = 2;
-constexpr double kDrillingShare = 0.2;  // of the segments of a part
 
 std::string title(const Part& part) {
   if (part.whole()) return part.recording.string();
@@ -35,45 +29,23 @@ Recording read_part(const Part& part) {
   return read_recording(part.recording, {part.label.start_s, part.label.end_s});
 }
 
-std::vector<std::vector<float>> segments_of(const std::vector<float>& mono, double longest_s) {
-  const auto size = static_cast<long>(mono.size());
-  const long count = std::max(
-      1L, static_cast<long>(std::ceil(static_cast<double>(size) / (longest_s * kAnalysisRate) - 1e-9)));
-  std::vector<std::vector<float>> segments;
-  for (long i = 0; i < count; ++i)
-    segments.emplace_back(mono.begin() + size * i / count, mono.begin() + size * (i + 1) / count);
-  return segments;
-}
-
-/// One segment in many may strike by chance: music does, and speech.
-void require_drilling(const std::string& title, const std::vector<ChainResult>& segments) {
-  const auto drilling = std::count_if(segments.begin(), segments.end(), has_drilling);
-  if (drilling == 0)
-    throw InputError(
-        title, fmt::format("no drilling found ({}), expected percussive drilling", segments.front().reason));
-  if (static_cast<double>(drilling) < kDrillingShare * static_cast<double>(segments.size()))
-    throw InputError(title,
-                     fmt::format("no drilling found but in {} of {} segments, expected a fifth of them: "
-                                 "label the stretch that drills",
-                                 drilling, segments.size()));
-}
-
 }  // namespace
 
 PartAnalysis analyse_part(const Part& part, const AnalyzerOptions& options) {
-  const Recording recording = read_part(part);
+  Recording recording = read_part(part);
   PartAnalysis analysis;
   analysis.source_channels = recording.source_channels;
   analysis.start_s = part.label.start_s;
-  const bool paper = options.method == Method::kPaper;
-  analysis.recorded = segments_of(recording.mono, paper ? kLongestPaperSegment_s : kLongestSegment_s);
+  analysis.recorded = std::move(recording.mono);
   ChainOptions chain;
   chain.method = options.method;
   chain.denoise = options.denoise;
-  for (const std::vector<float>& segment : analysis.recorded)
-    analysis.segments.push_back(run_chain(segment, chain));
-  require_drilling(title(part), analysis.segments);
-  analysis.built = build_bank(analysis.segments, options.method, options.clicks, title(part));
+  analysis.chain = run_chain_in_segments(analysis.recorded, chain);
+  const ChainResult& whole = analysis.chain.joined;
+  if (!whole.drilling_found)
+    throw InputError(title(part),
+                     fmt::format("no drilling found ({}), expected percussive drilling", whole.reason));
+  analysis.built = build_bank(analysis.chain, options.method, options.clicks, title(part));
   analysis.built.bank.name = part.bank;
   return analysis;
 }

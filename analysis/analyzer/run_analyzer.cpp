@@ -56,7 +56,9 @@ AnalysedPart analyse(Task& task, const std::string& sha256, const AnalyzerOption
       task.part, false, bank.mean_gap_samples, static_cast<int>(bank.clicks.size()), analysis.built.figures,
       {}};
   const std::string section =
-      options.report == ReportSections::kWrite ? report_section(analysis) : std::string();
+      options.report == ReportSections::kWrite
+          ? report_section({analysis.recorded, analysis.start_s, analysis.chain.drilling, bank})
+          : std::string();
   save_part(analysed, bank, sha256, section, options);
   return analysed;
 }

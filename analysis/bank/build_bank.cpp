@@ -8,6 +8,7 @@
 #include "bank/paper_extraction.hpp"
 #include "bank/recorded_levels.hpp"
 #include "bank/statistics.hpp"
+#include "clicks/drilling_test.hpp"
 #include "rigsound/analysis/bank_builder.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/analysis/resynth.hpp"
@@ -26,10 +27,10 @@ std::vector<std::vector<float>> extract_masked(const Segments& segments,
                                                const std::vector<std::size_t>& chosen) {
   std::vector<std::vector<float>> clicks(chosen.size());
   for (std::size_t s = 0; s < segments.size(); ++s) {
-    const ClickMasks masks(segments[s].clicks, static_cast<long>(segments[s].drilling.size()));
+    const ClickMasks masks(segments[s].result.clicks, static_cast<long>(segments[s].result.drilling.size()));
     for (std::size_t k = 0; k < chosen.size(); ++k)
       if (candidates[chosen[k]].segment == s)
-        clicks[k] = masks.extract(segments[s].drilling, candidates[chosen[k]].click);
+        clicks[k] = masks.extract(segments[s].result.drilling, candidates[chosen[k]].click);
   }
   return clicks;
 }
@@ -47,9 +48,9 @@ void finish(std::vector<float>& click) {
 /// The mean envelope of the segments, each weighed by its clicks.
 void set_envelope(const Segments& segments, ClickBank& bank) {
   double weight = 0, bend = 0;
-  for (const ChainResult& s : segments) {
-    const auto w = static_cast<double>(s.clicks.P.size());
-    const ClickEnvelope& e = s.clicks.envelope;
+  for (const DrillingSegment& s : segments) {
+    const auto w = static_cast<double>(s.last - s.first);
+    const ClickEnvelope& e = s.result.clicks.envelope;
     weight += w;
     bank.attack_samples += w * e.attack_samples, bank.decay += w * e.decay,
         bend += w * e.attack_bend * e.attack_samples;
@@ -67,12 +68,10 @@ Series<double> norms_of(const Segments& segments, const std::vector<ClickCandida
 
 BankFigures figures_of(const Segments& segments, const ClickBank& bank, const BandLevels& target) {
   BankFigures f;
-  f.segments_drilling = static_cast<int>(segments.size());
   double energy = 0, frames = 0;
-  for (const ChainResult& s : segments) {
-    f.clicks_found += static_cast<int>(s.clicks.P.size());
-    for (const float v : s.drilling) energy += static_cast<double>(v) * v;
-    frames += static_cast<double>(s.drilling.size());
+  for (const DrillingSegment& s : segments) {
+    for (const float v : s.result.drilling) energy += static_cast<double>(v) * v;
+    frames += static_cast<double>(s.result.drilling.size());
   }
   f.rate_hz = bank.sample_rate / bank.mean_gap_samples;
   f.level_db = 10 * std::log10(energy / frames);
@@ -90,12 +89,13 @@ BankFigures figures_of(const Segments& segments, const ClickBank& bank, const Ba
 
 }  // namespace
 
-BuiltBank build_bank(const std::vector<ChainResult>& all, Method method, int count, const std::string& part) {
-  const Segments segments = with_drilling(all);
+BuiltBank build_bank(const SegmentedResult& recording, Method method, int count, const std::string& part) {
+  const Segments segments = learnable(recording.drilling);
+  const std::size_t found = recording.joined.clicks.P.size();
   const std::vector<ClickCandidate> candidates = click_candidates(segments);
-  if (candidates.size() < 2)
-    throw InputError(part,
-                     "too few clicks to learn from, expected at least " + std::to_string(kFewestClicks));
+  if (found < kFewestDrillingClicks || candidates.size() < 2)
+    throw InputError(
+        part, "too few clicks to learn from, expected at least " + std::to_string(kFewestDrillingClicks));
 
   BuiltBank built;
   ClickBank& bank = built.bank;
@@ -103,7 +103,7 @@ BuiltBank build_bank(const std::vector<ChainResult>& all, Method method, int cou
   set_envelope(segments, bank);
   set_amplitude_statistics(norms_of(segments, candidates), bank);
   Series<int> onsets;
-  for (const ChainResult& s : segments) onsets.push_back(s.clicks.P);
+  for (const DrillingSegment& s : segments) onsets.push_back(own_onsets(s));
 
   const auto wanted = static_cast<std::size_t>(count);
   const BandLevels target =
@@ -122,7 +122,9 @@ BuiltBank build_bank(const std::vector<ChainResult>& all, Method method, int cou
                         power(recorded_levels(segments, Levels::kDenoisedOnly)));
   }
   built.figures = figures_of(segments, bank, target);
-  built.figures.segments = static_cast<int>(all.size());
+  built.figures.clicks_found = static_cast<int>(found);
+  built.figures.segments = recording.segments;
+  built.figures.segments_drilling = static_cast<int>(recording.drilling.size());
   return built;
 }
 

@@ -49,11 +49,12 @@ std::vector<ClickCandidate> click_candidates(const Segments& segments) {
   std::vector<ClickCandidate> candidates;
   BandShares band_shares;
   for (std::size_t s = 0; s < segments.size(); ++s) {
-    const auto& [P, beta, shape, T_0] = segments[s].clicks;
-    const std::vector<float>& x = segments[s].drilling;
-    const ClickMasks masks(segments[s].clicks, static_cast<long>(x.size()));
+    const auto& [P, beta, shape, T_0] = segments[s].result.clicks;
+    const std::vector<float>& x = segments[s].result.drilling;
+    const ClickMasks masks(segments[s].result.clicks, static_cast<long>(x.size()));
     const double period = median_gap(P);
-    for (std::size_t i = 1; i + 1 < P.size(); ++i) {
+    const std::size_t first = std::max<std::size_t>(segments[s].first, 1);
+    for (std::size_t i = first; i < segments[s].last && i + 1 < P.size(); ++i) {
       if (P[i] + kWholeEnough * masks.click_length() >= static_cast<double>(x.size())) continue;
       const std::vector<float> click = masks.extract(x, i);
       double energy = 0;

@@ -18,8 +18,8 @@ struct ClickCandidate {
   Eigen::ArrayXd bands;   ///< kCoverBands shares of its energy
 };
 
-/// All clicks but the first and last of each segment and those cut off by its end (60 % of the length must be
-/// there). Thread: OFF.
+/// The clicks that count in each segment, but none without a neighbour on both sides and none cut off by the
+/// segment's end (60 % of the length must be there). Thread: OFF.
 std::vector<ClickCandidate> click_candidates(const Segments& segments);
 
 }  // namespace rigsound::analysis

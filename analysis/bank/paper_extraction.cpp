@@ -32,11 +32,11 @@ std::vector<std::vector<float>> extract_whitened(const Segments& segments,
                                                  const std::vector<std::size_t>& chosen) {
   std::vector<std::vector<float>> clicks(chosen.size());
   for (std::size_t s = 0; s < segments.size(); ++s) {
-    const std::vector<float>& x = segments[s].drilling;
+    const std::vector<float>& x = segments[s].result.drilling;
     const Eigen::ArrayXd A = lpc_whitener(x, kOrder);
     const Eigen::ArrayXf white = whiten(x, A).cast<float>();
     const std::vector<float> y(white.data(), white.data() + white.size());
-    const ClickMasks masks(segments[s].clicks, static_cast<long>(x.size()));
+    const ClickMasks masks(segments[s].result.clicks, static_cast<long>(x.size()));
     for (std::size_t k = 0; k < chosen.size(); ++k) {
       const ClickCandidate& c = candidates[chosen[k]];
       if (c.segment == s) clicks[k] = coloured(masks.extract(y, c.click), A);

@@ -16,11 +16,11 @@ constexpr double kPausePeriods = 3;  // a longer gap is a pause, not a missed st
 
 std::vector<double> summed(const Segments& segments, std::vector<double> ChainResult::*psd) {
   std::vector<double> sum;
-  for (const ChainResult& s : segments) {
-    const std::vector<double>& values = s.*psd;
+  for (const DrillingSegment& s : segments) {
+    const std::vector<double>& values = s.result.*psd;
     sum.resize(std::max(sum.size(), values.size()), 0.0);
     for (std::size_t k = 0; k < values.size(); ++k)
-      sum[k] += values[k] * static_cast<double>(s.drilling.size());
+      sum[k] += values[k] * static_cast<double>(s.result.drilling.size());
   }
   return sum;
 }
@@ -55,8 +55,9 @@ double energy(const std::vector<float>& x, int from, int to) {
   return sum;
 }
 
-std::vector<float> first_to_last_click(const ChainResult& s) {
-  return {s.drilling.begin() + s.clicks.P.front(), s.drilling.begin() + s.clicks.P.back()};
+std::vector<float> first_to_last_click(const DrillingSegment& s) {
+  const std::vector<int> P = own_onsets(s);
+  return {s.result.drilling.begin() + P.front(), s.result.drilling.begin() + P.back()};
 }
 
 }  // namespace
@@ -64,7 +65,7 @@ std::vector<float> first_to_last_click(const ChainResult& s) {
 BandLevels recorded_levels(const Segments& segments, Levels levels) {
   BandLevels mean;
   double total = 0;
-  for (const ChainResult& s : segments) {
+  for (const DrillingSegment& s : segments) {
     const std::vector<float> drilled = first_to_last_click(s);
     const BandLevels here = third_octave_levels(drilled);
     const auto weight = static_cast<double>(drilled.size());
@@ -81,7 +82,7 @@ BandLevels recorded_levels(const Segments& segments, Levels levels) {
 
 BandLevels recorded_modulation(const Segments& segments) {
   std::vector<float> longest;
-  for (const ChainResult& s : segments) {
+  for (const DrillingSegment& s : segments) {
     std::vector<float> drilled = first_to_last_click(s);
     if (drilled.size() > longest.size()) longest = std::move(drilled);
   }
@@ -90,13 +91,13 @@ BandLevels recorded_modulation(const Segments& segments) {
 
 double drilling_power(const Segments& segments) {
   double drilled = 0, sum = 0;
-  for (const ChainResult& s : segments) {
-    const std::vector<int>& P = s.clicks.P;
+  for (const DrillingSegment& s : segments) {
+    const std::vector<int> P = own_onsets(s);
     const double longest = kPausePeriods * median_gap(P);
     for (std::size_t i = 1; i < P.size(); ++i) {
       if (P[i] - P[i - 1] >= longest) continue;
       drilled += P[i] - P[i - 1];
-      sum += energy(s.drilling, P[i - 1], P[i]);
+      sum += energy(s.result.drilling, P[i - 1], P[i]);
     }
   }
   return sum / drilled;

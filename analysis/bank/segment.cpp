@@ -3,18 +3,24 @@
 #include <algorithm>
 #include <iterator>
 
-#include "rigsound/analysis/bank_builder.hpp"
-
 namespace rigsound::analysis {
+namespace {
 
-bool has_drilling(const ChainResult& segment) {
-  return segment.drilling_found && static_cast<int>(segment.clicks.P.size()) >= kFewestClicks;
+constexpr std::size_t kFewestOwn = 3;  // two gaps: of six clicks one of two segments has as many
+
+}  // namespace
+
+Segments learnable(const Segments& segments) {
+  Segments enough;
+  std::copy_if(segments.begin(), segments.end(), std::back_inserter(enough),
+               [](const DrillingSegment& s) { return s.last - s.first >= kFewestOwn; });
+  return enough;
 }
 
-Segments with_drilling(const Segments& segments) {
-  Segments drilling;
-  std::copy_if(segments.begin(), segments.end(), std::back_inserter(drilling), has_drilling);
-  return drilling;
+std::vector<int> own_onsets(const DrillingSegment& segment) {
+  const std::vector<int>& P = segment.result.clicks.P;
+  return {P.begin() + static_cast<long>(segment.first),
+          P.begin() + static_cast<long>(std::min(segment.last + 1, P.size()))};
 }
 
 }  // namespace rigsound::analysis

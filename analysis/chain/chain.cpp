@@ -10,7 +10,7 @@
 
 namespace rigsound::analysis {
 
-ChainResult run_chain(const std::vector<float>& mono, const ChainOptions& options) {
+SegmentedResult run_chain_in_segments(const std::vector<float>& mono, const ChainOptions& options) {
   const std::vector<Segment> segments = plan_segments(static_cast<long>(mono.size()));
   const int count = static_cast<int>(segments.size());
   std::vector<ChainResult> results(segments.size());
@@ -24,7 +24,11 @@ ChainResult run_chain(const std::vector<float>& mono, const ChainOptions& option
     ++done;
     if (options.progress) options.progress(done, count);
   });
-  return join_segments(segments, results);
+  return join_segments(segments, std::move(results));
+}
+
+ChainResult run_chain(const std::vector<float>& mono, const ChainOptions& options) {
+  return run_chain_in_segments(mono, options).joined;
 }
 
 }  // namespace rigsound::analysis

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <iterator>
+#include <limits>
 
 #include "clicks/gaps.hpp"
 #include "numeric/quantile.hpp"
@@ -15,70 +16,77 @@ constexpr long kLongestClip = static_cast<long>(4 * kAnalysisRate);
 constexpr long kCore = static_cast<long>(3 * kAnalysisRate);
 constexpr long kSameClick = static_cast<long>(0.002 * kAnalysisRate);
 
-/// Clicks of one segment in samples of the whole recording.
-struct Placed {
-  std::vector<long> P;
-  std::vector<double> beta;
-};
-
-Placed place(const Segment& segment, const ChainResult& result) {
-  Placed placed;
-  for (const int P : result.clicks.P) placed.P.push_back(segment.begin + P);
-  placed.beta = result.clicks.beta;
-  return placed;
+/// Onsets of one segment in samples of the whole recording.
+std::vector<long> onsets_of(const Segment& segment, const ChainResult& result) {
+  std::vector<long> onsets;
+  for (const int P : result.clicks.P) onsets.push_back(segment.begin + P);
+  return onsets;
 }
 
 /// The time after which the right segment's clicks count: just behind the click both found that is nearest to
 /// the middle of the overlap [begin, end), or the middle itself when they agree on none.
-long seam(const Placed& left, const Placed& right, long begin, long end) {
+long seam(const std::vector<long>& left, const std::vector<long>& right, long begin, long end) {
   const long middle = (begin + end) / 2;
   long best = middle, distance = (end - begin) / 2;
-  for (const long P : left.P) {
+  for (const long P : left) {
     if (P < begin || P >= end || std::labs(P - middle) >= distance) continue;
-    const auto match = std::lower_bound(right.P.begin(), right.P.end(), P - kSameClick);
-    if (match == right.P.end() || *match > P + kSameClick) continue;
+    const auto match = std::lower_bound(right.begin(), right.end(), P - kSameClick);
+    if (match == right.end() || *match > P + kSameClick) continue;
     best = std::max(P, *match) + 1;
     distance = std::labs(P - middle);
   }
   return best;
 }
 
-void append(const Placed& from, long begin, long end, double closest, ClickTrain& train) {
-  for (size_t i = 0; i < from.P.size(); ++i) {
-    if (from.P[i] < begin || from.P[i] >= end) continue;
-    // Where the segments agree on no click, the same strike may still stand on both sides of the seam.
-    if (!train.P.empty() && static_cast<double>(from.P[i] - train.P.back()) < closest) continue;
-    train.P.push_back(static_cast<int>(from.P[i]));
-    train.beta.push_back(from.beta[i]);
-  }
-}
+/// Clicks first ... last - 1 of a segment.
+struct Counted {
+  std::size_t first = 0, last = 0;
+};
 
-template <class Figure>
-double median_over(const std::vector<ChainResult>& results, Figure figure) {
-  std::vector<double> values;
-  for (const ChainResult& result : results)
-    if (result.drilling_found) values.push_back(figure(result.clicks));
-  return median(values);
-}
-
-ClickTrain join_clicks(const std::vector<Segment>& segments, const std::vector<ChainResult>& results) {
-  ClickTrain train;
-  train.mean_gap_samples = median_over(results, [](const ClickTrain& t) { return t.mean_gap_samples; });
-  train.envelope.attack_samples =
-      median_over(results, [](const ClickTrain& t) { return t.envelope.attack_samples; });
-  train.envelope.attack_bend =
-      median_over(results, [](const ClickTrain& t) { return t.envelope.attack_bend; });
-  train.envelope.decay = median_over(results, [](const ClickTrain& t) { return t.envelope.decay; });
-  long from = 0;
-  for (size_t k = 0; k < segments.size(); ++k) {
-    const Placed here = place(segments[k], results[k]);
+/// Which clicks of each segment count.
+std::vector<Counted> counted_clicks(const std::vector<Segment>& segments,
+                                    const std::vector<ChainResult>& results) {
+  std::vector<Counted> counted;
+  long from = 0, before = std::numeric_limits<long>::min() / 2;  // the last click that counts so far
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const std::vector<long> here = onsets_of(segments[k], results[k]);
     const bool last = k + 1 == segments.size();
     const long to =
         last ? segments[k].end
-             : seam(here, place(segments[k + 1], results[k + 1]), segments[k + 1].begin, segments[k].end);
-    append(here, from, to, kShortestGap * results[k].clicks.mean_gap_samples, train);
+             : seam(here, onsets_of(segments[k + 1], results[k + 1]), segments[k + 1].begin, segments[k].end);
+    // Where the segments agree on no click, the same strike may still stand on both sides of the seam.
+    const double closest = kShortestGap * results[k].clicks.mean_gap_samples;
+    auto first = std::lower_bound(here.begin(), here.end(), from);
+    const auto end = std::lower_bound(first, here.end(), to);
+    while (first != end && static_cast<double>(*first - before) < closest) ++first;
+    if (first != end) before = *std::prev(end);
+    counted.push_back(
+        {static_cast<std::size_t>(first - here.begin()), static_cast<std::size_t>(end - here.begin())});
     from = to;
   }
+  return counted;
+}
+
+template <class Figure>
+double median_over(const std::vector<DrillingSegment>& segments, Figure figure) {
+  std::vector<double> values;
+  for (const DrillingSegment& segment : segments) values.push_back(figure(segment.result.clicks));
+  return median(values);
+}
+
+ClickTrain join_clicks(const std::vector<DrillingSegment>& segments) {
+  ClickTrain train;
+  train.mean_gap_samples = median_over(segments, [](const ClickTrain& t) { return t.mean_gap_samples; });
+  train.envelope.attack_samples =
+      median_over(segments, [](const ClickTrain& t) { return t.envelope.attack_samples; });
+  train.envelope.attack_bend =
+      median_over(segments, [](const ClickTrain& t) { return t.envelope.attack_bend; });
+  train.envelope.decay = median_over(segments, [](const ClickTrain& t) { return t.envelope.decay; });
+  for (const DrillingSegment& segment : segments)
+    for (std::size_t i = segment.first; i < segment.last; ++i) {
+      train.P.push_back(static_cast<int>(segment.begin + segment.result.clicks.P[i]));
+      train.beta.push_back(segment.result.clicks.beta[i]);
+    }
   if (train.P.size() > 2) train.mean_gap_samples = median_gap(train.P);
   return train;
 }
@@ -107,6 +115,25 @@ void accumulate(const std::vector<double>& psd, double weight, std::vector<doubl
   for (size_t bin = 0; bin < psd.size(); ++bin) mean[bin] += weight * psd[bin];
 }
 
+/// All of a result but its clicks.
+ChainResult join_sound(const std::vector<Segment>& segments, const std::vector<ChainResult>& results) {
+  ChainResult joined;
+  joined.drilling_found =
+      std::any_of(results.begin(), results.end(), [](const auto& r) { return r.drilling_found; });
+  if (!joined.drilling_found) joined.reason = results.front().reason;
+  joined.drilling = join_drilling(segments, results);
+  long total = 0;
+  for (const Segment& segment : segments) total += segment.end - segment.begin;
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const double weight =
+        static_cast<double>(segments[k].end - segments[k].begin) / static_cast<double>(total);
+    accumulate(results[k].signal_psd, weight, joined.signal_psd);
+    accumulate(results[k].noise_psd, weight, joined.noise_psd);
+    accumulate(results[k].output_psd, weight, joined.output_psd);
+  }
+  return joined;
+}
+
 }  // namespace
 
 std::vector<Segment> plan_segments(long length) {
@@ -119,26 +146,19 @@ std::vector<Segment> plan_segments(long length) {
   return segments;
 }
 
-ChainResult join_segments(const std::vector<Segment>& segments, const std::vector<ChainResult>& results) {
-  if (results.size() == 1) return results.front();
-  ChainResult joined;
-  joined.drilling_found =
-      std::any_of(results.begin(), results.end(), [](const auto& r) { return r.drilling_found; });
-  if (joined.drilling_found)
-    joined.clicks = join_clicks(segments, results);
+SegmentedResult join_segments(const std::vector<Segment>& segments, std::vector<ChainResult> results) {
+  SegmentedResult whole;
+  whole.segments = static_cast<int>(segments.size());
+  if (results.size() == 1)
+    whole.joined = results.front();
   else
-    joined.reason = results.front().reason;
-  joined.drilling = join_drilling(segments, results);
-  long total = 0;
-  for (const Segment& segment : segments) total += segment.end - segment.begin;
-  for (size_t k = 0; k < segments.size(); ++k) {
-    const double weight =
-        static_cast<double>(segments[k].end - segments[k].begin) / static_cast<double>(total);
-    accumulate(results[k].signal_psd, weight, joined.signal_psd);
-    accumulate(results[k].noise_psd, weight, joined.noise_psd);
-    accumulate(results[k].output_psd, weight, joined.output_psd);
-  }
-  return joined;
+    whole.joined = join_sound(segments, results);
+  const std::vector<Counted> counted = counted_clicks(segments, results);
+  for (std::size_t k = 0; k < segments.size(); ++k)
+    if (results[k].drilling_found)
+      whole.drilling.push_back({segments[k].begin, counted[k].first, counted[k].last, std::move(results[k])});
+  if (segments.size() > 1 && !whole.drilling.empty()) whole.joined.clicks = join_clicks(whole.drilling);
+  return whole;
 }
 
 }  // namespace rigsound::analysis

@@ -15,7 +15,6 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr size_t kFewestClicks = 6;
 constexpr double kToldFrom = 0.25;     // of the sum: figures that bear on it
 constexpr double kUnexplained = 0.01;  // divergence over that of noise: less leaves nothing to explain
 constexpr RateRange kPulses{100, 400};
@@ -92,8 +91,8 @@ Eigen::ArrayXf frames_near_clicks(const ClickTrain& train, int frames) {
 }
 
 std::string no_drilling_reason(const DrillingEvidence& e, double tolerance) {
-  if (e.clicks.P.size() < kFewestClicks)
-    return fmt::format("{} clicks, expected {} or more", e.clicks.P.size(), kFewestClicks);
+  if (e.clicks.P.size() < kFewestDrillingClicks)
+    return fmt::format("{} clicks, expected {} or more", e.clicks.P.size(), kFewestDrillingClicks);
   auto against = objections(e);
   const double sum = std::accumulate(against.begin(), against.end(), 0.0,
                                      [](double total, const Objection& o) { return total + o.weight; });

@@ -11,6 +11,8 @@
 
 namespace rigsound::analysis {
 
+constexpr std::size_t kFewestDrillingClicks = 6;  ///< less is no drilling
+
 /// What the clicks found in a recording look like.
 struct DrillingEvidence {
   ClickTrain clicks;

@@ -14,7 +14,7 @@ constexpr PlotSize kThird{392, 210}, kHalf{594, 230}, kFifth{233, 120};
 
 /// One segment of a part, as far as it is shown.
 struct ShownSegment {
-  const std::vector<float>& recorded;
+  std::vector<float> recorded;
   const ChainResult& chain;
   double start_s;  ///< in the recording
 };

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <fstream>
 
-#include "analyzer/finished_bank.hpp"
 #include "report/html_text.hpp"
 #include "report/page_style.hpp"
+#include "report/report_section.hpp"
 #include "rigsound/analysis/report.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/file/atomic_file.hpp"

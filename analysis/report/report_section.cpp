@@ -18,12 +18,11 @@ std::string row(const char* css_class, const std::string& panels) {
   return fmt::format("<div class=\"{}\">\n{}</div>\n", css_class, panels);
 }
 
-ShownSegment first_drilling(const PartAnalysis& analysis) {
-  double start_s = analysis.start_s;
-  std::size_t s = 0;
-  for (; !has_drilling(analysis.segments[s]); ++s)
-    start_s += static_cast<double>(analysis.recorded[s].size()) / kAnalysisRate;
-  return {analysis.recorded[s], analysis.segments[s], start_s};
+ShownSegment shown_segment(const ReportedPart& part, const DrillingSegment& segment) {
+  const auto begin = part.recorded.begin() + segment.begin;
+  return {{begin, begin + static_cast<long>(segment.result.drilling.size())},
+          segment.result,
+          part.start_s + static_cast<double>(segment.begin) / kAnalysisRate};
 }
 
 /// What the engine draws from and what was fitted, in the paper's symbols.
@@ -50,10 +49,14 @@ std::string bank_figures(const ClickBank& bank) {
 
 }  // namespace
 
-std::string report_section(const PartAnalysis& analysis) {
-  const Segments drilling = with_drilling(analysis.segments);
-  const ShownSegment shown = first_drilling(analysis);
-  const ClickBank& bank = analysis.built.bank;
+std::filesystem::path report_section_path(const std::filesystem::path& sound_set, const std::string& bank) {
+  return sound_set / "banks" / bank / "report.html";
+}
+
+std::string report_section(const ReportedPart& part) {
+  const Segments drilling = learnable(part.drilling);
+  const ShownSegment shown = shown_segment(part, drilling.front());
+  const ClickBank& bank = part.bank;
   const std::vector<float> synthesis = resynthesise(bank, kSynthesisSeconds, kSynthesisSeed).sound;
   return bank_figures(bank) + row("one", time_panels(shown)) +
          row("three",

@@ -65,9 +65,10 @@ std::string spectrum(const char* title, Axis x, Axis y, const BandLevels& record
 
 std::string gap_panel(const Segments& segments, const ClickBank& bank) {
   std::vector<double> gaps;
-  for (const ChainResult& s : segments)
-    for (std::size_t i = 1; i < s.clicks.P.size(); ++i)
-      gaps.push_back(1e3 * (s.clicks.P[i] - s.clicks.P[i - 1]) / kAnalysisRate);
+  for (const DrillingSegment& s : segments) {
+    const std::vector<int> P = own_onsets(s);
+    for (std::size_t i = 1; i < P.size(); ++i) gaps.push_back(1e3 * (P[i] - P[i - 1]) / kAnalysisRate);
+  }
   return histogram("Gaps between clicks", "ms", gaps, 1e3 * bank.mean_gap_samples / bank.sample_rate,
                    1e3 * bank.gap_deviation_samples / bank.sample_rate);
 }

@@ -1,10 +1,12 @@
 // The batch: names, restart, jobs and shards, failures, report.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "analysis/analyzer_workplace.hpp"
 #include "analyzer/source_hash.hpp"
+#include "rigsound/analysis/recording.hpp"
 #include "rigsound/analysis/report.hpp"
 #include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/machine/input_error.hpp"
@@ -137,6 +139,35 @@ TEST_CASE("a broken soundset.toml is told before anything is analysed") {
   CHECK_THROWS_AS(run_analyzer(options_for(at, "set"), [&](int done, int) { analysed = done; }), InputError);
   CHECK(analysed == 0);
   CHECK(read_text(at / "set/soundset.toml") == "format = 99\n");
+}
+
+TEST_CASE("four seconds of drilling in a minute of noise are a bank, of the clicks that the chain finds") {
+  constexpr int kId = 103, kStart = 28 * 48000;
+  const Workplace at;
+  fs::create_directories(at / "in");
+  SplitMix stream(9);
+  std::vector<double> sound = stream.normals(60 * 48000);
+  for (double& v : sound) v *= 0.001;
+  const DrillBenchClip clip = drillbench_clip(kId, 4);
+  for (std::size_t n = 0; n < clip.clean.size(); ++n) sound[kStart + n] += 0.05 * clip.clean[n];
+  write_wave(at / "in/minute.wav", sound, 48000);
+  const AnalyzerOptions options = options_for(at, "set");
+  const AnalyzerResult result = run_analyzer(options, {});
+  REQUIRE(result.banks.size() == 1);
+
+  ChainOptions chain;
+  chain.denoise = options.denoise;
+  const ClickTrain found = run_chain(read_recording(at / "in/minute.wav").mono, chain).clicks;
+  CHECK(result.banks[0].figures.clicks_found == int(found.P.size()));
+  CHECK(result.banks[0].mean_gap_samples == doctest::Approx(clip.T0).epsilon(0.02));
+  std::size_t strikes = 0;
+  for (const SimulatedClick& click : clip.clicks) {
+    if (click.kind == ClickKind::kBounce || click.P >= 4 * 48000) continue;
+    ++strikes;
+    CHECK(std::count_if(found.P.begin(), found.P.end(),
+                        [&](int P) { return std::abs(P - kStart - click.P) <= 96; }) == 1);
+  }
+  CHECK(found.P.size() == strikes);
 }
 
 TEST_CASE("noise is no drilling and leaves no bank") {

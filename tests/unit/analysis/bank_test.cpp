@@ -9,6 +9,7 @@
 #include "bank/minimum_phase.hpp"
 #include "bank/statistics.hpp"
 #include "bank/third_octave.hpp"
+#include "chain/segments.hpp"
 #include "rigsound/analysis/bank_builder.hpp"
 #include "rigsound/analysis/resynth.hpp"
 #include "rigsound/dsp/elementary.hpp"
@@ -60,6 +61,11 @@ ChainResult perfect_result(int id, double seconds) {
   result.clicks.envelope = clip.envelope;
   result.clicks.mean_gap_samples = clip.T0;
   return result;
+}
+
+/// A recording of one segment.
+SegmentedResult alone(const ChainResult& result) {
+  return join_segments({{0, static_cast<long>(result.drilling.size())}}, {result});
 }
 
 double mean_square(const std::vector<float>& x) {
@@ -195,7 +201,7 @@ TEST_CASE("modulation levels peak at the rate of the envelope") {
 TEST_CASE("a bank from true clicks plays with the level and spectrum of the clip") {
   for (const int id : {103, 104}) {
     const ChainResult truth = perfect_result(id, 4);
-    const BuiltBank built = build_bank({truth}, Method::kClickNmf, 10, "clip");
+    const BuiltBank built = build_bank(alone(truth), Method::kClickNmf, 10, "clip");
     CHECK(built.bank.clicks.size() == 10);
     for (const auto& click : built.bank.clicks)
       CHECK(mean_square(click) * static_cast<double>(click.size()) == doctest::Approx(1).epsilon(1e-4));
@@ -210,7 +216,7 @@ TEST_CASE("a bank from true clicks plays with the level and spectrum of the clip
 }
 
 TEST_CASE("level follows the statistics: missed strikes make the same clicks quieter") {
-  const BuiltBank built = build_bank({perfect_result(103, 4)}, Method::kClickNmf, 10, "clip");
+  const BuiltBank built = build_bank(alone(perfect_result(103, 4)), Method::kClickNmf, 10, "clip");
   ClickBank steady = built.bank, missing = built.bank;
   missing.miss_share = 0.3;
   set_level(steady, 1e-2);
@@ -222,7 +228,7 @@ TEST_CASE("level follows the statistics: missed strikes make the same clicks qui
 }
 
 TEST_CASE("the paper's method gives a bank too, without correlations") {
-  const BuiltBank built = build_bank({perfect_result(103, 2)}, Method::kPaper, 10, "clip");
+  const BuiltBank built = build_bank(alone(perfect_result(103, 2)), Method::kPaper, 10, "clip");
   CHECK(built.bank.clicks.size() == 10);
   CHECK(built.bank.gap_correlation == 0);
   CHECK(built.bank.amplitude_correlation == 0);
@@ -230,7 +236,7 @@ TEST_CASE("the paper's method gives a bank too, without correlations") {
 }
 
 TEST_CASE("resynthesis repeats with its seed and obeys the rate") {
-  const BuiltBank built = build_bank({perfect_result(104, 2)}, Method::kClickNmf, 10, "clip");
+  const BuiltBank built = build_bank(alone(perfect_result(104, 2)), Method::kClickNmf, 10, "clip");
   const Resynthesis a = resynthesise(built.bank, 2, 7), b = resynthesise(built.bank, 2, 7),
                     c = resynthesise(built.bank, 2, 8);
   CHECK(a.sound == b.sound);

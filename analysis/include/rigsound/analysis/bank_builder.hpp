@@ -27,12 +27,9 @@ struct BuiltBank {
   BankFigures figures;
 };
 
-constexpr int kFewestClicks = 6;  ///< less is no drilling
-
-/// Extraction, statistics, choice and equaliser on the analysed segments of one part (those without drilling
-/// are left out), or with Method::kPaper sections 3.6 and 3.7 of the paper. The bank has at most `count`
-/// clicks and no name yet. Errors: InputError naming `part` when there are too few clicks. Thread: OFF.
-BuiltBank build_bank(const std::vector<ChainResult>& segments, Method method, int count,
-                     const std::string& part);
+/// Extraction, statistics, choice and equaliser on the drilling segments of one part, or with Method::kPaper
+/// sections 3.6 and 3.7 of the paper. The bank has at most `count` clicks and no name yet. Errors: InputError
+/// naming `part` when there are too few clicks. Thread: OFF.
+BuiltBank build_bank(const SegmentedResult& recording, Method method, int count, const std::string& part);
 
 }  // namespace rigsound::analysis

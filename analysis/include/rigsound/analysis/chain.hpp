@@ -32,9 +32,27 @@ struct ChainResult {
   std::vector<double> output_psd;  ///< mean power of the denoised output, same bins
 };
 
+/// A segment in which drilling was found, analysed for itself: with its own envelope, powers and whitening.
+struct DrillingSegment {
+  long begin = 0;                   ///< first sample, in the recording
+  std::size_t first = 0, last = 0;  ///< clicks first ... last - 1 count here, the others in a neighbour
+  ChainResult result;               ///< times from `begin` on, overlaps with the neighbours included
+};
+
+/// A recording as a whole and in its segments. There is drilling when one segment holds some; the clicks of
+/// `joined` are those that count in `drilling`.
+struct SegmentedResult {
+  ChainResult joined;
+  int segments = 0;                       ///< with and without drilling
+  std::vector<DrillingSegment> drilling;  ///< in the order of time
+};
+
 /// Runs denoising and click detection on `mono` (48 kHz, full scale 1). More than 4 s are analysed in
 /// overlapping segments of 2 to 4 s and joined. Deterministic. Errors: DeviceError when the dump cannot be
 /// written. Thread: OFF.
+SegmentedResult run_chain_in_segments(const std::vector<float>& mono, const ChainOptions& options);
+
+/// The same, joined.
 ChainResult run_chain(const std::vector<float>& mono, const ChainOptions& options);
 
 }  // namespace rigsound::analysis

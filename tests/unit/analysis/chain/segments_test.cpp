@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "bank/segment.hpp"
 #include "rigsound/analysis/parallel.hpp"
 
 using namespace rigsound::analysis;
@@ -49,18 +50,38 @@ TEST_CASE("no click is lost or doubled at a seam, whatever the period and the se
       std::vector<ChainResult> results;
       for (size_t k = 0; k < segments.size(); ++k)
         results.push_back(perfect(segments[k], period, k % 2 ? error : 0));
-      const ChainResult joined = join_segments(segments, results);
+      const ChainResult joined = join_segments(segments, results).joined;
       CHECK(joined.clicks.P.size() == size_t((11 * 48000 - 500 + period - 1) / period));
       for (size_t i = 1; i < joined.clicks.P.size(); ++i)
         CHECK(std::labs(joined.clicks.P[i] - joined.clicks.P[i - 1] - period) <= std::labs(error));
     }
 }
 
+TEST_CASE("every click counts in one segment, and every gap is known to one") {
+  const std::vector<Segment> segments = plan_segments(11 * 48000);
+  std::vector<ChainResult> results;
+  for (const Segment& segment : segments) results.push_back(perfect(segment, 1531, 0));
+  const SegmentedResult whole = join_segments(segments, results);
+  REQUIRE(whole.drilling.size() == segments.size());
+  CHECK(whole.segments == int(segments.size()));
+  std::vector<long> counted;
+  size_t gaps = 0;
+  for (const DrillingSegment& segment : whole.drilling) {
+    for (size_t i = segment.first; i < segment.last; ++i)
+      counted.push_back(segment.begin + segment.result.clicks.P[i]);
+    const std::vector<int> onsets = own_onsets(segment);
+    for (size_t i = 1; i < onsets.size(); ++i) CHECK(onsets[i] - onsets[i - 1] == 1531);
+    gaps += onsets.size() - 1;
+  }
+  CHECK(counted == std::vector<long>(whole.joined.clicks.P.begin(), whole.joined.clicks.P.end()));
+  CHECK(gaps == counted.size() - 1);
+}
+
 TEST_CASE("sound that the segments agree on passes the crossfades unchanged") {
   const std::vector<Segment> segments = plan_segments(9 * 48000);
   std::vector<ChainResult> results;
   for (const Segment& segment : segments) results.push_back(perfect(segment, 1600, 0));
-  const ChainResult joined = join_segments(segments, results);
+  const ChainResult joined = join_segments(segments, results).joined;
   REQUIRE(joined.drilling.size() == 9 * 48000);
   double error = 0;
   for (size_t n = 0; n < joined.drilling.size(); ++n)
@@ -78,11 +99,11 @@ TEST_CASE("drilling in one segment is drilling, in none it is not, and the reaso
     results.back().clicks = {};
     results.back().reason = "quiet";
   }
-  ChainResult joined = join_segments(segments, results);
+  ChainResult joined = join_segments(segments, results).joined;
   CHECK(!joined.drilling_found);
   CHECK(joined.reason == "quiet");
   results[1] = perfect(segments[1], 1600, 0);
-  joined = join_segments(segments, results);
+  joined = join_segments(segments, results).joined;
   CHECK(joined.drilling_found);
   CHECK(joined.clicks.P.size() > 80);
   CHECK(joined.clicks.P.front() >= segments[1].begin);
