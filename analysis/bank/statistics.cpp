@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "numeric/quantile.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -74,12 +77,10 @@ Series<double> gaps_of(const Series<int>& onsets) {
   return gaps;
 }
 
-double median(const Series<double>& series) {
+double median_of(const Series<double>& series) {
   std::vector<double> all;
   for (const auto& s : series) all.insert(all.end(), s.begin(), s.end());
-  std::sort(all.begin(), all.end());
-  const std::size_t half = all.size() / 2;
-  return all.size() % 2 ? all[half] : 0.5 * (all[half - 1] + all[half]);
+  return median(std::move(all));
 }
 
 double share(const Series<Kind>& kinds, Kind wanted) {
@@ -93,7 +94,7 @@ double share(const Series<Kind>& kinds, Kind wanted) {
 
 void set_gap_statistics(const Series<int>& onsets, ClickBank& bank) {
   const Series<double> gaps = gaps_of(onsets);
-  const double T = median(gaps);
+  const double T = median_of(gaps);
   Series<Kind> kinds;
   for (const auto& g : gaps) kinds.push_back(kinds_of(g, T));
   const Moments m = moments(gaps, kinds);

@@ -11,10 +11,10 @@
 #include "clicks/whitening.hpp"
 #include "denoise/cs_nmf.hpp"
 #include "denoise/divergence.hpp"
+#include "denoise/factors.hpp"
 #include "denoise/initial_nmf.hpp"
-#include "denoise/stft.hpp"
-#include "denoise/wiener.hpp"
 #include "rigsound/analysis/rate.hpp"
+#include "spectrum/stft.hpp"
 
 namespace rigsound::analysis {
 namespace {

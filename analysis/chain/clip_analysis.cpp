@@ -6,7 +6,7 @@
 
 #include "chain/clip_split.hpp"
 #include "clicks/envelope.hpp"
-#include "denoise/stft.hpp"
+#include "spectrum/stft.hpp"
 
 namespace rigsound::analysis {
 namespace {

@@ -2,7 +2,7 @@
 #include "clicks/paper_second_stage.hpp"
 #include "clicks/whitening.hpp"
 #include "denoise/paper_nmf.hpp"
-#include "denoise/stft.hpp"
+#include "spectrum/stft.hpp"
 
 namespace rigsound::analysis {
 namespace {

@@ -71,7 +71,7 @@ template <class Figure>
 double median_over(const std::vector<DrillingSegment>& segments, Figure figure) {
   std::vector<double> values;
   for (const DrillingSegment& segment : segments) values.push_back(figure(segment.result.clicks));
-  return median(values);
+  return upper_median(values);
 }
 
 ClickTrain join_clicks(const std::vector<DrillingSegment>& segments) {

@@ -105,7 +105,7 @@ Addition best_addition(const Eigen::ArrayXd& q, const Eigen::ArrayXd& v, const E
 void remove_weak_clicks(const Eigen::ArrayXd& q, const EnvelopePower& shape, double T_0, int block,
                         ModelClicks& clicks) {
   const Eigen::ArrayXd a2 = sampled_power(shape);
-  const double median_power = median({clicks.power.begin(), clicks.power.end()});
+  const double median_power = upper_median(std::vector<double>{clicks.power.begin(), clicks.power.end()});
   while (clicks.onset.size() > kFewestClicks) {
     const Eigen::ArrayXd v = variance(shape, clicks, q.size()), clipped = q.min(kOutlierClip * v);
     double worst = 0;
@@ -125,7 +125,7 @@ void remove_weak_clicks(const Eigen::ArrayXd& q, const EnvelopePower& shape, dou
 void add_missed_clicks(const Eigen::ArrayXd& q, const EnvelopePower& shape, double T_0, int block,
                        const std::vector<long>& candidates, ModelClicks& clicks) {
   const Eigen::ArrayXd a2 = sampled_power(shape);
-  const double median_power = median({clicks.power.begin(), clicks.power.end()});
+  const double median_power = upper_median(std::vector<double>{clicks.power.begin(), clicks.power.end()});
   Eigen::ArrayXd v = variance(shape, clicks, q.size());
   for (const long at : candidates) {
     if (static_cast<double>(distance_to_nearest(clicks.onset, at)) < 0.30 * T_0) continue;

@@ -1,8 +1,8 @@
 // Do the clicks resemble one another?
 #pragma once
 
-#include "denoise/power.hpp"
 #include "rigsound/analysis/click_train.hpp"
+#include "spectrum/power_spectrogram.hpp"
 
 namespace rigsound::analysis {
 

@@ -8,9 +8,9 @@
 #include <numeric>
 
 #include "clicks/gaps.hpp"
-#include "denoise/divergence.hpp"
 #include "numeric/quantile.hpp"
 #include "rigsound/analysis/rate.hpp"
+#include "spectrum/power_spectrogram.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -74,7 +74,7 @@ double irregularity(const ClickTrain& clicks) {
   std::vector<double> deviation;
   for (size_t i = 1; i < clicks.P.size(); ++i)
     deviation.push_back(std::fabs(std::log((clicks.P[i] - clicks.P[i - 1]) / T)));
-  return median(deviation);
+  return upper_median(deviation);
 }
 
 double fast_total(const Candidates& candidates) { return select_clicks(candidates, kPulses).total; }

@@ -6,8 +6,8 @@
 
 #include "clicks/click_likeness.hpp"
 #include "clicks/selection.hpp"
-#include "denoise/power.hpp"
 #include "rigsound/analysis/click_train.hpp"
+#include "spectrum/power_spectrogram.hpp"
 
 namespace rigsound::analysis {
 

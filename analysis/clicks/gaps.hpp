@@ -1,8 +1,10 @@
 // Figures of the distances between clicks.
 #pragma once
 
-#include <algorithm>
+#include <utility>
 #include <vector>
+
+#include "numeric/quantile.hpp"
 
 namespace rigsound::analysis {
 
@@ -13,10 +15,8 @@ constexpr double kShortestGap = 0.28, kDoubleBelow = 0.75;
 template <class Time>
 double median_gap(const std::vector<Time>& times) {
   std::vector<double> gaps;
-  for (size_t i = 1; i < times.size(); ++i) gaps.push_back(static_cast<double>(times[i] - times[i - 1]));
-  std::sort(gaps.begin(), gaps.end());
-  const size_t half = gaps.size() / 2;
-  return gaps.size() % 2 ? gaps[half] : 0.5 * (gaps[half - 1] + gaps[half]);
+  for (std::size_t i = 1; i < times.size(); ++i) gaps.push_back(static_cast<double>(times[i] - times[i - 1]));
+  return median(std::move(gaps));
 }
 
 }  // namespace rigsound::analysis

@@ -42,8 +42,8 @@ ClickEnvelope envelope_through(const std::vector<EnergyPeak>& peaks, const Eigen
     bend.push_back(2 * std::log(r / (1 - r)));
     decay -= std::log(nu(P_r) / nu(P_p)) / static_cast<double>(std::max(P_r - P_p, 1L));
   }
-  const double N_a = std::max(median(attack), 2.0);
-  return {N_a, median(bend) / N_a, std::max(decay / static_cast<double>(peaks.size()), kSmallestDecay)};
+  const double N_a = std::max(upper_median(attack), 2.0);
+  return {N_a, upper_median(bend) / N_a, std::max(decay / static_cast<double>(peaks.size()), kSmallestDecay)};
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ PaperClicks paper_detection(const Eigen::ArrayXd& y, const std::vector<EnergyPea
 }
 
 double flatness(const Eigen::ArrayXd& y, const PaperClicks& clicks, const ClickEnvelope& shape) {
-  const double floor = kLeastGain * median(clicks.beta);
+  const double floor = kLeastGain * upper_median(clicks.beta);
   const Eigen::ArrayXd power =
       Eigen::Map<const Eigen::ArrayXd>(clicks.beta.data(), static_cast<long>(clicks.beta.size())).square();
   Eigen::ArrayXd g2;

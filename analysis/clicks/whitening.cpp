@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <complex>
 
-#include "numeric/levinson.hpp"
 #include "numeric/quantile.hpp"
 #include "rigsound/analysis/rate.hpp"
+#include "rigsound/dsp/linear_prediction.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -28,7 +28,7 @@ Eigen::ArrayXd weight(const Eigen::ArrayXd& S, const Eigen::ArrayXd& N) {
     if (total(f) > kEmptyBin * total.maxCoeff()) heard.push_back(D(f));
   const double largest = *std::max_element(heard.begin(), heard.end());
   D = (total > kEmptyBin * total.maxCoeff()).select(D, largest);
-  return D.min(kLargestOverMedian * median(heard));
+  return D.min(kLargestOverMedian * upper_median(heard));
 }
 
 Eigen::ArrayXd autocorrelation(const Eigen::ArrayXd& power, int lags) {
@@ -40,6 +40,11 @@ Eigen::ArrayXd autocorrelation(const Eigen::ArrayXd& power, int lags) {
   return r.head(lags).array();
 }
 
+Eigen::ArrayXd prediction_error_filter(const Eigen::ArrayXd& r) {
+  const std::vector<double> a = dsp::levinson({r.begin(), r.end()}).a;
+  return Eigen::Map<const Eigen::ArrayXd>(a.data(), r.size());
+}
+
 }  // namespace
 
 Eigen::ArrayXd noise_aware_whitener(const Eigen::ArrayXd& S, const Eigen::ArrayXd& N) {
@@ -47,7 +52,7 @@ Eigen::ArrayXd noise_aware_whitener(const Eigen::ArrayXd& S, const Eigen::ArrayX
   const Eigen::ArrayXd lag_s = Eigen::ArrayXd::LinSpaced(kOrder + 1, 0, kOrder) / kAnalysisRate;
   r *= (-0.5 * (2 * EIGEN_PI * kLagWindow_hz * lag_s).square()).exp();
   r(0) *= 1 + kWhiteNoise;
-  return levinson(r);
+  return prediction_error_filter(r);
 }
 
 Eigen::ArrayXd lpc_whitener(const std::vector<float>& x, int order) {
@@ -56,7 +61,7 @@ Eigen::ArrayXd lpc_whitener(const std::vector<float>& x, int order) {
   Eigen::ArrayXd r(order + 1);
   for (int lag = 0; lag <= order; ++lag)
     r(lag) = (signal.head(signal.size() - lag) * signal.tail(signal.size() - lag)).sum();
-  return levinson(r);
+  return prediction_error_filter(r);
 }
 
 Eigen::ArrayXd whiten(const std::vector<float>& x, const Eigen::ArrayXd& A) {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "denoise/power.hpp"
+#include "denoise/factors.hpp"
 #include "rigsound/analysis/click_train.hpp"
 
 namespace rigsound::analysis {

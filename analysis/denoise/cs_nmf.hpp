@@ -2,7 +2,7 @@
 #pragma once
 
 #include "denoise/click_activations.hpp"
-#include "denoise/power.hpp"
+#include "denoise/factors.hpp"
 #include "rigsound/analysis/click_train.hpp"
 
 namespace rigsound::analysis {

@@ -1,12 +1,9 @@
 // How well a factorisation explains a spectrogram.
 #pragma once
 
-#include "denoise/power.hpp"
+#include "denoise/factors.hpp"
 
 namespace rigsound::analysis {
-
-/// What Gaussian noise of exactly the modelled power leaves on average, per cell: Euler's constant.
-constexpr double kNoiseDivergence = 0.5772156649;
 
 /// P/L - ln(P/L) - 1 of every cell, L = W H: bins x frames. Thread: OFF.
 Grid itakura_saito(const PowerSpectrogram& power, const Factors& factors);

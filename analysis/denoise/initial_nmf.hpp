@@ -1,7 +1,7 @@
 // Step 1: a first split into impulsive sound and slow background, knowing nothing but that.
 #pragma once
 
-#include "denoise/power.hpp"
+#include "denoise/factors.hpp"
 
 namespace rigsound::analysis {
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "denoise/stft.hpp"
+#include "spectrum/stft.hpp"
 
 namespace rigsound::analysis {
 

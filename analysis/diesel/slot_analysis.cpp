@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "diesel/hbwt.hpp"
+#include "numeric/quantile.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -16,12 +17,6 @@ double trigamma(double x) {
   for (; x < 8; x += 1) sum += 1 / (x * x);
   const double z = 1 / (x * x);
   return sum + 1 / x + z / 2 + z / x * (1.0 / 6 - z * (1.0 / 30 - z * (1.0 / 42 - z / 30)));
-}
-
-double median(std::vector<double> v) {
-  if (v.empty()) return 0;
-  std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
-  return v[v.size() / 2];
 }
 
 /// MDCT frames of a block: frame t = r L + l spans angle samples (t - 1) M ... (t + 1) M.
@@ -88,10 +83,14 @@ std::vector<double> log_gains(const Frames& f, const std::vector<double>& v, std
       for (int q = 0; q < f.M; ++q) g += f.at(t, q) * f.at(t, q);
       logs.push_back(std::log(g / (sum + 1e-300) + 1e-12)), at.push_back(t);
     }
-    const double centre = median(logs);
+    if (logs.empty()) {
+      s2.push_back(0);
+      continue;
+    }
+    const double centre = upper_median(logs);
     std::vector<double> away;
     for (double& x : logs) x -= centre, away.push_back(std::fabs(x));
-    const double limit = kClip * (1.4826 * median(away) + 1e-6);
+    const double limit = kClip * (1.4826 * upper_median(away) + 1e-6);
     double mean = 0, square = 0;
     for (std::size_t i = 0; i < logs.size(); ++i) {
       const double x = std::clamp(logs[i], -limit, limit);

@@ -5,6 +5,7 @@
 #include <complex>
 
 #include "diesel/angle_domain.hpp"
+#include "numeric/quantile.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/dsp/fft.hpp"
 #include "rigsound/machine/input_error.hpp"
@@ -56,9 +57,7 @@ double median_pitch(const std::vector<Frame>& frames, double loudest) {
   std::vector<double> hz;
   for (const Frame& f : frames)
     if (f.hz > 0 && f.energy > kAudible * loudest) hz.push_back(f.hz);
-  if (hz.empty()) return 0;
-  std::nth_element(hz.begin(), hz.begin() + static_cast<std::ptrdiff_t>(hz.size() / 2), hz.end());
-  return hz[hz.size() / 2];
+  return hz.empty() ? 0 : upper_median(std::move(hz));
 }
 
 /// Phase of harmonic h around h f0, in periods of the fundamental beyond f0 t.

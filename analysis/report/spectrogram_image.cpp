@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denoise/stft.hpp"
 #include "rigsound/analysis/rate.hpp"
+#include "spectrum/stft.hpp"
 
 namespace rigsound::analysis {
 namespace {

@@ -1,5 +1,7 @@
 #include "tool_fit/blow.hpp"
 
+#include "numeric/quantile.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -44,11 +46,8 @@ std::size_t next_rise(const std::vector<double>& rms, std::size_t peak) {
 std::optional<Blow> strongest_blow(const std::vector<float>& x) {
   const std::vector<double> rms = envelope(x);
   if (rms.size() < 40) return std::nullopt;
-  std::vector<double> sorted = rms;
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
-                   sorted.end());
   const auto peak = static_cast<std::size_t>(std::max_element(rms.begin(), rms.end() - 20) - rms.begin());
-  if (!(rms[peak] > kStandsOut * sorted[sorted.size() / 2])) return std::nullopt;
+  if (!(rms[peak] > kStandsOut * upper_median(rms))) return std::nullopt;
   Blow blow;
   blow.onset = foot(rms, peak) * kStep;
   const std::size_t end = next_rise(rms, peak) * kStep;

@@ -5,6 +5,7 @@
 #include <complex>
 #include <unsupported/Eigen/FFT>
 
+#include "numeric/quantile.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "tool_fit/blow.hpp"
 
@@ -31,11 +32,9 @@ std::vector<double> spectrum_db(const std::vector<double>& blow) {
 
 double median_around(const std::vector<double>& level, std::size_t k) {
   const std::size_t reach = std::max<std::size_t>(100, k / 8);
-  std::vector<double> around(level.begin() + static_cast<std::ptrdiff_t>(k > reach ? k - reach : 0),
-                             level.begin() + static_cast<std::ptrdiff_t>(std::min(level.size(), k + reach)));
-  const auto middle = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2);
-  std::nth_element(around.begin(), middle, around.end());
-  return *middle;
+  return upper_median(
+      std::vector<double>(level.begin() + static_cast<std::ptrdiff_t>(k > reach ? k - reach : 0),
+                          level.begin() + static_cast<std::ptrdiff_t>(std::min(level.size(), k + reach))));
 }
 
 }  // namespace

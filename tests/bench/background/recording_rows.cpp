@@ -102,7 +102,8 @@ double model_rows(Table& table, const DieselTake& take, const DieselModel& model
   table.at_most("idle, " + bounds.name + ": third-octave", bounds.third_octave, l.third_octave_db, "dB");
   table.at_most("idle, " + bounds.name + ": cyclic envelope", bounds.envelope, l.cyclic_envelope_db, "dB");
   table.at_most("idle, " + bounds.name + ": modulation spectrum", bounds.modulation, l.modulation_db, "dB");
-  const CyclicSound endless = played_cycles(model, point, static_cast<int>(kEndless_s * point.rpm / 120), 2);
+  const CyclicSound endless =
+      played_cycles(model, point, static_cast<int>(kEndless_s * cycles_per_second(point.rpm)), 2);
   table.at_most("180 s, " + bounds.name + ": autocorrelation beyond 1 s", bounds.correlation,
                 loop_correlation(endless), "");
   const std::vector<double> steady(static_cast<std::size_t>(kEndless_s * kAnalysisRate), point.rpm);

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "analysis/noise.hpp"
-#include "numeric/levinson.hpp"
+#include "rigsound/dsp/linear_prediction.hpp"
 
 using namespace rigsound::analysis;
 
@@ -20,7 +20,8 @@ TEST_CASE("Levinson's filter solves the normal equations") {
   for (int i = 0; i < order; ++i)
     for (int j = 0; j < order; ++j) R(i, j) = r(std::abs(i - j));
   const Eigen::VectorXd solved = R.ldlt().solve(-r.tail(order).matrix());
-  const Eigen::ArrayXd a = levinson(r);
+  const std::vector<double> filter = rigsound::dsp::levinson({r.begin(), r.end()}).a;
+  const Eigen::Map<const Eigen::ArrayXd> a(filter.data(), order + 1);
   CHECK(a(0) == 1);
   CHECK((a.tail(order).matrix() - solved).norm() < 1e-10);
 }

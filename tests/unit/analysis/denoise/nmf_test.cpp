@@ -3,8 +3,8 @@
 #include "analysis/noise.hpp"
 #include "denoise/cs_nmf.hpp"
 #include "denoise/divergence.hpp"
+#include "denoise/factors.hpp"
 #include "denoise/initial_nmf.hpp"
-#include "denoise/wiener.hpp"
 #include "kernels/is_kernels.hpp"
 
 using namespace rigsound::analysis;

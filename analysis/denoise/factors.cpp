@@ -1,4 +1,4 @@
-#include "denoise/power.hpp"
+#include "denoise/factors.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -7,22 +7,6 @@
 #include "numeric/quantile.hpp"
 
 namespace rigsound::analysis {
-namespace {
-
-constexpr float kPowerFloor = 1e-7f;  ///< of the mean power
-
-}  // namespace
-
-PowerSpectrogram power_spectrogram(const Spectrogram& X) {
-  const long frames = X.cols(), padded = (frames + kLanes - 1) / kLanes * kLanes;
-  PowerSpectrogram power;
-  power.frames = static_cast<int>(frames);
-  power.P = Grid::Zero(X.rows(), padded);
-  power.P.leftCols(frames) = X.abs2();
-  power.scale = power.P.leftCols(frames).cast<double>().mean();
-  power.P.leftCols(frames) = (power.P.leftCols(frames) / static_cast<float>(power.scale)).max(kPowerFloor);
-  return power;
-}
 
 Eigen::ArrayXf noise_level(const PowerSpectrogram& power, float start) {
   Eigen::ArrayXf level(power.bins());
@@ -58,6 +42,11 @@ PsdPair modelled_psd(const Factors& factors, const PowerSpectrogram& power) {
   }
   const float scale = static_cast<float>(power.scale);
   return {S.leftCols(power.frames) * scale, N.leftCols(power.frames) * scale};
+}
+
+Spectrogram wiener(const Spectrogram& X, const PsdPair& psd) {
+  const Grid gain = psd.S / (psd.S + psd.N).max(1e-30f);
+  return X * gain.cast<std::complex<float>>();
 }
 
 }  // namespace rigsound::analysis

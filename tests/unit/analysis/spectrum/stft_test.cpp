@@ -1,4 +1,4 @@
-#include "denoise/stft.hpp"
+#include "spectrum/stft.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,23 +1,9 @@
-// Power spectrograms as the factorisations take them: normalised, floored, padded for the kernels.
+// A power spectrogram as the product of words and activations: what its noise starts from, what it models.
 #pragma once
 
-#include "denoise/stft.hpp"
+#include "spectrum/power_spectrogram.hpp"
 
 namespace rigsound::analysis {
-
-/// |X|^2 over its mean, never below a floor; `frames` columns hold data, the rest up to a multiple of
-/// kLanes are zero.
-struct PowerSpectrogram {
-  Grid P;  ///< bins x padded frames
-  int frames = 0;
-  double scale = 1;  ///< the mean that was divided out
-
-  int bins() const { return static_cast<int>(P.rows()); }
-  int padded() const { return static_cast<int>(P.cols()); }
-};
-
-/// Thread: OFF.
-PowerSpectrogram power_spectrogram(const Spectrogram& X);
 
 /// The level of a stationary noise in each bin, from the 20 % quantile over time: the power of Gaussian
 /// noise is exponentially distributed, so that quantile is -ln(0.8) = 0.223 of its mean. Never above
@@ -44,5 +30,8 @@ struct Factors {
 
 /// Thread: OFF.
 PsdPair modelled_psd(const Factors& factors, const PowerSpectrogram& power);
+
+/// G X with the Wiener gain G = S / (S + N). Thread: OFF.
+Spectrogram wiener(const Spectrogram& X, const PsdPair& psd);
 
 }  // namespace rigsound::analysis

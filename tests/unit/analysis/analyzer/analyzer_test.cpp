@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "analysis/analyzer_workplace.hpp"
+#include "analysis/analyzer/analyzer_workplace.hpp"
 #include "analyzer/source_hash.hpp"
 #include "rigsound/analysis/recording.hpp"
 #include "rigsound/analysis/report.hpp"

@@ -1,7 +1,7 @@
 // Which stretch of a recording becomes a part, and which does not.
 #include <doctest/doctest.h>
 
-#include "analysis/analyzer_workplace.hpp"
+#include "analysis/analyzer/analyzer_workplace.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 using namespace rigsound;
