@@ -73,7 +73,7 @@ std::string labelled_name(const std::string& stem, const Label& label) {
   return fmt::format("{}_{:05}ms", stem, std::llround(label.start_s * 1000));
 }
 
-/// The same sound in two banks may be meant, but is more often a slip of the mouse.
+/// The same sound in two banks may be meant, but is more often a mistake.
 void note_overlaps(const std::vector<Part>& parts, std::vector<std::string>& notes) {
   for (std::size_t b = 1; b < parts.size(); ++b)
     for (std::size_t a = 0; a < b; ++a) {

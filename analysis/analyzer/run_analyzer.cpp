@@ -118,7 +118,7 @@ AnalyzerResult run_analyzer(const AnalyzerOptions& options, const AnalyzerProgre
   std::error_code error;
   fs::create_directories(options.sound_set, error);
   if (error) throw DeviceError(options.sound_set.string() + ": cannot be made: " + error.message());
-  // What cannot be merged into is told now and not after hours of work.
+  // A broken index is reported now and not after hours of work.
   if (fs::exists(options.sound_set / "soundset.toml", error)) config::load_index(options.sound_set);
   RunLock running(options.sound_set);
 

@@ -3,9 +3,8 @@
 
 #include "bank/candidates.hpp"
 #include "bank/click_choice.hpp"
-#include "bank/click_masks.hpp"
+#include "bank/click_extraction.hpp"
 #include "bank/equaliser.hpp"
-#include "bank/paper_extraction.hpp"
 #include "bank/recorded_levels.hpp"
 #include "bank/statistics.hpp"
 #include "clicks/drilling_test.hpp"
@@ -20,20 +19,7 @@ namespace {
 constexpr std::size_t kFade = 256;  // samples at the end of a click
 constexpr double kLtasRangeDb = 50, kModulationRangeDb = 35;
 constexpr double kProofSeconds = 4;
-constexpr std::uint64_t kProofSeed = 11;  // not one the equaliser listened to
-
-std::vector<std::vector<float>> extract_masked(const Segments& segments,
-                                               const std::vector<ClickCandidate>& candidates,
-                                               const std::vector<std::size_t>& chosen) {
-  std::vector<std::vector<float>> clicks(chosen.size());
-  for (std::size_t s = 0; s < segments.size(); ++s) {
-    const ClickMasks masks(segments[s].result.clicks, static_cast<long>(segments[s].result.drilling.size()));
-    for (std::size_t k = 0; k < chosen.size(); ++k)
-      if (candidates[chosen[k]].segment == s)
-        clicks[k] = masks.extract(segments[s].result.drilling, candidates[chosen[k]].click);
-  }
-  return clicks;
-}
+constexpr std::uint64_t kProofSeed = 11;  // not one of those the equaliser measured
 
 /// Fades the end out and sets the L2 norm to one.
 void finish(std::vector<float>& click) {

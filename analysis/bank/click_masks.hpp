@@ -8,7 +8,7 @@
 namespace rigsound::analysis {
 
 /// m_i(n) = beta_i a(n - P_i) / g(n) with g = sqrt(sum_j beta_j^2 a^2(n - P_j)): responses of different
-/// strikes are independent, so energies add (erratum 12) and the squared masks of all clicks sum to one.
+/// impacts are independent, so energies add (erratum 12) and the squared masks of all clicks sum to one.
 /// Thread: OFF.
 class ClickMasks {
  public:

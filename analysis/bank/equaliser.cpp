@@ -1,18 +1,19 @@
 #include "bank/equaliser.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <unsupported/Eigen/FFT>
 
-#include "bank/minimum_phase.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "rigsound/analysis/resynth.hpp"
 
 namespace rigsound::analysis {
 namespace {
 
 constexpr int kTaps = 1023;
-constexpr int kTail = 256;  // samples of ringing kept behind a click
+constexpr int kDesign = 8192;  // points of the minimum-phase design
+constexpr int kTail = 256;     // samples of ringing kept behind a click
 constexpr double kMaxDb = 12;
 constexpr int kSyntheses = 16;
 constexpr double kSynthesisSeconds = 4, kSettleSeconds = 0.5;  // before, fewer clicks ring than later on
@@ -65,7 +66,7 @@ std::vector<float> filtered(const std::vector<float>& click, const Eigen::ArrayX
   std::vector<float> out(static_cast<std::size_t>(size + kTail));
   for (long i = 0; i < size + kTail; ++i) {
     const double fade = std::min(1.0, static_cast<double>(size + kTail - i) / kTail);
-    out[static_cast<std::size_t>(i)] = static_cast<float>(fade * y(i));
+    out[i] = static_cast<float>(fade * y(i));
   }
   return out;
 }
@@ -88,19 +89,36 @@ double coherence(const ClickBank& bank) {
   double sound = 0, clicks = 0;
   for (const Resynthesis& test : test_syntheses(bank)) {
     for (const float v : test.sound) sound += static_cast<double>(v) * v;
-    for (const ResynthImpact& blow : test.impacts)
-      clicks += bank.mean_amplitude * blow.amplitude * bank.mean_amplitude * blow.amplitude;
+    for (const ResynthImpact& impact : test.impacts)
+      clicks += bank.mean_amplitude * impact.amplitude * bank.mean_amplitude * impact.amplitude;
   }
   return sound / clicks;
 }
 
-/// Samples from one click to the next, missed and double strikes counted in.
+/// Samples from one click to the next, missed and double impacts counted in.
 double mean_gap(const ClickBank& bank) {
   return bank.mean_gap_samples *
          (1 + (kMissGap - 1) * bank.miss_share + (kDoubleGap - 1) * bank.double_share);
 }
 
 }  // namespace
+
+Eigen::ArrayXd minimum_phase_fir(const std::function<double(double)>& gain_db, int taps) {
+  Eigen::FFT<double> fft;
+  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+  Eigen::VectorXcd spectrum(kDesign / 2 + 1);
+  for (int k = 0; k <= kDesign / 2; ++k)
+    spectrum(k) = gain_db(k * kAnalysisRate / kDesign) * std::log(10.0) / 20;
+  Eigen::VectorXd cepstrum, response;
+  fft.inv(cepstrum, spectrum, kDesign);
+  // Everything before time zero is folded behind it: the log magnitude stays, the phase becomes the smallest.
+  cepstrum.segment(1, kDesign / 2 - 1) *= 2;
+  cepstrum.tail(kDesign / 2 - 1).setZero();
+  fft.fwd(spectrum, cepstrum);
+  spectrum = spectrum.array().exp();
+  fft.inv(response, spectrum, kDesign);
+  return response.head(taps).array();
+}
 
 void equalise(ClickBank& bank, const BandLevels& target) {
   const BandLevels now = synthesised_levels(bank);

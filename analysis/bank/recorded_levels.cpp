@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMaxGivenBackDb = 9, kMinSnrDb = -10;
 constexpr double kLowestHz = 200;    // below, a band is narrower than two bins of the model
-constexpr double kPausePeriods = 3;  // a longer gap is a pause, not a missed strike
+constexpr double kPausePeriods = 3;  // a longer gap is a pause, not a missed impact
 
 std::vector<double> summed(const Segments& segments, std::vector<double> ChainResult::*psd) {
   std::vector<double> sum;

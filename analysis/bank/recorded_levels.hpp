@@ -8,7 +8,7 @@ namespace rigsound::analysis {
 
 /// Mean third-octave levels from the first to the last click of every segment. What the denoiser took from
 /// the drilling (its model S against its output, 0...9 dB) is given back in bands above 200 Hz where S is
-/// within 5 dB of the background. `denoised_only` leaves the output as it is. Thread: OFF.
+/// at most 10 dB below the background. Levels::kDenoisedOnly leaves the output as it is. Thread: OFF.
 enum class Levels { kDenoisedOnly, kGivenBack };
 BandLevels recorded_levels(const Segments& segments, Levels levels);
 

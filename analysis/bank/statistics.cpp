@@ -46,7 +46,7 @@ Series<Kind> all_plain(const Series<double>& series) {
   return kinds;
 }
 
-/// A double strike cuts one gap into a short one and the rest: the rest is no plain gap either, however long.
+/// A double impact cuts one gap into a short one and the rest: the rest is no plain gap either, however long.
 std::vector<Kind> kinds_of(const std::vector<double>& gaps, double T) {
   std::vector<Kind> kinds;
   for (const double g : gaps) kinds.push_back(g >= kLongest * T ? Kind::kMissed : Kind::kPlain);
@@ -102,7 +102,7 @@ void set_gap_statistics(const Series<int>& onsets, ClickBank& bank) {
   bank.gap_deviation_samples = m.deviation;
   bank.gap_correlation = m.deviation > kSteady * m.mean ? m.correlation : 0;
   bank.miss_share = share(kinds, Kind::kMissed);
-  // The engine plays a double strike as one short gap before a whole one: this share keeps the mean rate.
+  // The engine plays a double impact as one short gap before a whole one: this share keeps the mean rate.
   bank.double_share = std::min(shortfall(gaps, kinds, m.mean) / (1 - kDoubleGap), 1 - bank.miss_share);
 }
 

@@ -80,7 +80,7 @@ BandLevels modulation_levels(const std::vector<float>& x) {
   fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   Eigen::VectorXd frame = e * window;
   Eigen::VectorXcd bins;
-  if (n % 2) {  // the real transform wants an even length
+  if (n % 2) {  // the real transform needs an even length
     frame.conservativeResize(n + 1);
     frame(n) = 0;
   }

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "chain/clip_split.hpp"
+#include "chain/clip_analysis.hpp"
 #include "clicks/candidates.hpp"
 #include "clicks/click_fit.hpp"
 #include "clicks/click_likeness.hpp"
@@ -10,7 +10,6 @@
 #include "clicks/selection.hpp"
 #include "clicks/whitening.hpp"
 #include "denoise/cs_nmf.hpp"
-#include "denoise/divergence.hpp"
 #include "denoise/factors.hpp"
 #include "denoise/initial_nmf.hpp"
 #include "rigsound/analysis/rate.hpp"
@@ -20,12 +19,11 @@ namespace rigsound::analysis {
 namespace {
 
 constexpr int kPasses = 2;
-// Strikes deep in noise are found from some random starts and not from others. A later start must convince,
-// or music would have three tries.
+// Impacts deep in noise are found from some random starts and not from others. A later start needs
+// clearer evidence, or music would have three tries.
 constexpr unsigned kStarts = 3;
 constexpr double kFirstTolerance = 1, kLaterTolerance = 0.5;
-constexpr int kRoughIterations = 90;  // of step 6, where its result only guides another look
-constexpr size_t kFewestClicks = 4;   // for a fit
+constexpr int kRoughIterations = 90;  // of step 6, where its result only guides the next search
 
 struct MeanPsd {
   Eigen::ArrayXd S, N;
@@ -35,8 +33,8 @@ MeanPsd mean_over_time(const PsdPair& psd) {
   return {psd.S.cast<double>().rowwise().mean(), psd.N.cast<double>().rowwise().mean()};
 }
 
-void dump_look(const Dump& dump, const std::string& pass, const Eigen::ArrayXd& y,
-               const Candidates& candidates, const ClickTrain& train) {
+void dump_detection(const Dump& dump, const std::string& pass, const Eigen::ArrayXd& y,
+                    const Candidates& candidates, const ClickTrain& train) {
   dump.signal(pass + "_whitened", y);
   Eigen::ArrayXXd z(candidates.z.size(), 2);
   z.col(0) = Eigen::ArrayXd::LinSpaced(z.rows(), 0, static_cast<double>(z.rows() - 1)) * kCandidateBlock /
@@ -61,33 +59,36 @@ void dump_split(const Dump& dump, const std::string& step, const Spectrogram& X,
   dump.table(step + "_powers", "frequency_hz,S,N", powers);
 }
 
-/// Steps 2 to 5: one look for clicks through the whitener that the modelled powers suggest.
-DrillingEvidence look(const std::vector<float>& x, const MeanPsd& psd, const std::string& pass,
-                      FitEffort effort, const Dump& dump) {
+/// Steps 2 to 5: one search for clicks through the whitener that the modelled powers suggest.
+DrillingEvidence detect(const std::vector<float>& x, const MeanPsd& psd, const std::string& pass,
+                        FitEffort effort, const Dump& dump) {
   const Eigen::ArrayXd A = noise_aware_whitener(psd.S, psd.N), y = whiten(x, A);
   const Candidates candidates = find_candidates(y);
   const Selection selection = select_clicks(candidates, kDrillingRates);
   DrillingEvidence evidence;
-  if (selection.block.size() >= kFewestClicks) evidence.clicks = fit_clicks(y, candidates, selection, effort);
+  if (selection.block.size() >= kFewestFitted) evidence.clicks = fit_clicks(y, candidates, selection, effort);
   evidence.total = selection.total;
   evidence.surplus = selection.surplus;
   if (effort == FitEffort::kFull) evidence.fast_total = fast_total(candidates);
-  dump_look(dump, pass, y, candidates, evidence.clicks);
+  dump_detection(dump, pass, y, candidates, evidence.clicks);
   return evidence;
 }
 
-/// The last pass knows the clicks' envelope well enough to choose its decays by it.
-CsNmfOptions options_of(bool last, const ClickTrain& clicks) {
+CsNmfOptions rough_options() {
   CsNmfOptions options;
-  if (last)
-    options.decays = decays_around(clicks);
-  else
-    options.iterations = kRoughIterations;
+  options.iterations = kRoughIterations;
   return options;
 }
 
-/// What step 6 says about the clicks.
-void judge(const PowerSpectrogram& power, const Factors& factors, DrillingEvidence& evidence) {
+/// For the last pass: by then the clicks' envelope is known well enough to choose the decays by it.
+CsNmfOptions final_options(const ClickTrain& clicks) {
+  CsNmfOptions options;
+  options.decays = decays_around(clicks);
+  return options;
+}
+
+/// What the powers modelled by step 6 add to the evidence.
+void add_model_evidence(const PowerSpectrogram& power, const Factors& factors, DrillingEvidence& evidence) {
   const Eigen::ArrayXf near = frames_near_clicks(evidence.clicks, power.frames);
   evidence.background_alone = mean_divergence(power, background_nmf(power), near);
   evidence.with_clicks = mean_divergence(power, factors, near);
@@ -110,9 +111,9 @@ ClipSplit split_without_denoising(const std::vector<float>& x, const Dump& dump)
   ClipSplit split;
   split.signal_psd = power.P.leftCols(power.frames).cast<double>().rowwise().mean() * power.scale;
   split.noise_psd = Eigen::ArrayXd::Zero(split.signal_psd.size());
-  DrillingEvidence evidence = look(x, {split.signal_psd, split.noise_psd}, "only", FitEffort::kFull, dump);
-  if (evidence.clicks.P.size() >= kFewestClicks)
-    judge(power, cs_nmf(power, evidence.clicks, options_of(false, evidence.clicks)), evidence);
+  DrillingEvidence evidence = detect(x, {split.signal_psd, split.noise_psd}, "only", FitEffort::kFull, dump);
+  if (evidence.clicks.P.size() >= kFewestFitted)
+    add_model_evidence(power, cs_nmf(power, evidence.clicks, rough_options()), evidence);
   dump_evidence(dump, "only", evidence);
   split.reason = no_drilling_reason(evidence, kFirstTolerance);
   split.clicks = std::move(evidence.clicks);
@@ -133,12 +134,13 @@ ClipSplit split_from(unsigned seed, double tolerance, const std::vector<float>& 
     const std::string name = fmt::format("pass{}", pass + 1);
     const bool last = pass + 1 == kPasses;
     const FitEffort effort = last ? FitEffort::kFull : FitEffort::kRough;
-    DrillingEvidence evidence = look(x, mean_over_time(psd), name, effort, dump);
-    const bool enough = evidence.clicks.P.size() >= kFewestClicks;
+    DrillingEvidence evidence = detect(x, mean_over_time(psd), name, effort, dump);
+    const bool enough = evidence.clicks.P.size() >= kFewestFitted;
     if (enough) {
-      const Factors factors = cs_nmf(power, evidence.clicks, options_of(last, evidence.clicks));
+      const Factors factors =
+          cs_nmf(power, evidence.clicks, last ? final_options(evidence.clicks) : rough_options());
       psd = modelled_psd(factors, power);
-      if (last) judge(power, factors, evidence);
+      if (last) add_model_evidence(power, factors, evidence);
     }
     dump_split(dump, name, X, psd, x.size());
     if (last || !enough) {

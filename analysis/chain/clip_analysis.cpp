@@ -4,7 +4,6 @@
 #include <cmath>
 #include <random>
 
-#include "chain/clip_split.hpp"
 #include "clicks/envelope.hpp"
 #include "spectrum/stft.hpp"
 

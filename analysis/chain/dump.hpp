@@ -1,4 +1,4 @@
-// Intermediate signals on disk, for people who want to look inside a step.
+// Intermediate signals on disk, for the inspection of a step.
 #pragma once
 
 #include <Eigen/Core>

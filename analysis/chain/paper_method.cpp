@@ -1,4 +1,4 @@
-#include "chain/clip_split.hpp"
+#include "chain/clip_analysis.hpp"
 #include "clicks/paper_second_stage.hpp"
 #include "clicks/whitening.hpp"
 #include "denoise/paper_nmf.hpp"
@@ -32,7 +32,7 @@ ClipSplit split_by_paper(const std::vector<float>& x, const ChainOptions& option
   dump.signal("whitened", y);
   split.clicks = paper_clicks(y);
   dump.train("paper", split.clicks);
-  // Whether there is a drill at all is a question the paper does not ask: both methods answer it alike.
+  // Whether there is a drill at all the paper does not test: both methods use the same verdict.
   split.reason = split_by_click_nmf(x, options, Dump({})).reason;
   split.signal_psd = mean_power(split.drilling);
   split.noise_psd = mean_power(without(x, split.drilling));

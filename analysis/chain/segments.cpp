@@ -54,7 +54,7 @@ std::vector<Counted> counted_clicks(const std::vector<Segment>& segments,
     const long to =
         last ? segments[k].end
              : seam(here, onsets_of(segments[k + 1], results[k + 1]), segments[k + 1].begin, segments[k].end);
-    // Where the segments agree on no click, the same strike may still stand on both sides of the seam.
+    // Where the segments agree on no click, the same impact may still stand on both sides of the seam.
     const double closest = kShortestGap * results[k].clicks.mean_gap_samples;
     auto first = std::lower_bound(here.begin(), here.end(), from);
     const auto end = std::lower_bound(first, here.end(), to);

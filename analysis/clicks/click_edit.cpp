@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "clicks/click_fit.hpp"
 #include "clicks/gaps.hpp"
 #include "clicks/shift_search.hpp"
 #include "numeric/quantile.hpp"
@@ -15,7 +16,6 @@ namespace {
 // of the nominal evidence is what the development clips support.
 constexpr double kIndependentShare = 0.5;
 constexpr double kNegligiblePower = 0.01;
-constexpr size_t kFewestClicks = 4;
 constexpr int kAmplitudeSteps = 5;
 constexpr double kNever = 1e8;
 
@@ -31,8 +31,8 @@ struct Requirement {
 };
 constexpr Requirement kInAGap{5, 0.04}, kAmongOthers{25, 0.15};
 
-/// The evidence click i must bring to stay: between others as much as to come.
-double needed_to_stay(const ModelClicks& clicks, size_t i, double T_0, double median_power) {
+/// The evidence without which click i is pruned: close to others as much as an addition needs.
+double evidence_to_keep(const ModelClicks& clicks, size_t i, double T_0, double median_power) {
   const size_t last = clicks.onset.size() - 1;
   const double power = clicks.power(static_cast<long>(i));
   const double before = i > 0 ? static_cast<double>(clicks.onset[i] - clicks.onset[i - 1]) : T_0;
@@ -47,7 +47,7 @@ double needed_to_stay(const ModelClicks& clicks, size_t i, double T_0, double me
   return before + after > 1.5 * T_0 ? 0.5 : 6.0;
 }
 
-Requirement needed_to_come(const std::vector<long>& onset, long at, double T_0) {
+Requirement evidence_to_add(const std::vector<long>& onset, long at, double T_0) {
   const auto next = std::lower_bound(onset.begin(), onset.end(), at);
   const bool inside = next != onset.begin() && next != onset.end();
   const double gap = inside ? static_cast<double>(*next - *(next - 1)) / T_0 : 2.0;
@@ -106,14 +106,14 @@ void remove_weak_clicks(const Eigen::ArrayXd& q, const EnvelopePower& shape, dou
                         ModelClicks& clicks) {
   const Eigen::ArrayXd a2 = sampled_power(shape);
   const double median_power = upper_median(std::vector<double>{clicks.power.begin(), clicks.power.end()});
-  while (clicks.onset.size() > kFewestClicks) {
+  while (clicks.onset.size() > kFewestFitted) {
     const Eigen::ArrayXd v = variance(shape, clicks, q.size()), clipped = q.min(kOutlierClip * v);
     double worst = 0;
     size_t weakest = clicks.onset.size();
     for (size_t i = 0; i < clicks.onset.size(); ++i) {
       const double evidence =
           removal_cost(clipped, v, a2, clicks.onset[i], clicks.power(static_cast<long>(i)), block);
-      const double surplus = evidence - needed_to_stay(clicks, i, T_0, median_power);
+      const double surplus = evidence - evidence_to_keep(clicks, i, T_0, median_power);
       if (surplus < worst) worst = surplus, weakest = i;
     }
     if (weakest == clicks.onset.size()) return;
@@ -129,7 +129,7 @@ void add_missed_clicks(const Eigen::ArrayXd& q, const EnvelopePower& shape, doub
   Eigen::ArrayXd v = variance(shape, clicks, q.size());
   for (const long at : candidates) {
     if (static_cast<double>(distance_to_nearest(clicks.onset, at)) < 0.30 * T_0) continue;
-    const Requirement needed = needed_to_come(clicks.onset, at, T_0);
+    const Requirement needed = evidence_to_add(clicks.onset, at, T_0);
     const Addition addition = best_addition(q, v, a2, at, block);
     if (addition.gain <= needed.gain || addition.power <= needed.power * median_power) continue;
     insert_click(clicks, addition);

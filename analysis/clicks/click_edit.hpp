@@ -1,4 +1,4 @@
-// Step 5, the count: clicks the likelihood does not miss go, candidates it asks for come.
+// Step 5, the count: weak clicks are pruned, missed ones added, by likelihood ratio.
 #pragma once
 
 #include "clicks/variance_model.hpp"

@@ -49,7 +49,7 @@ ClickTrain train_of(const ModelClicks& clicks, const ClickEnvelope& envelope, do
   train.envelope = envelope;
   train.mean_gap_samples = T_0;
   for (size_t i = 0; i < clicks.onset.size(); ++i) {
-    // A click that began before the first sample is heard through its tail: it counts from the first sample.
+    // A click that began before the first sample shows only its tail: it counts from the first sample.
     if (clicks.onset[i] < -static_cast<long>(envelope.attack_samples) || clicks.onset[i] >= length) continue;
     train.P.push_back(static_cast<int>(std::max(0L, clicks.onset[i])));
     train.beta.push_back(std::sqrt(clicks.power(static_cast<long>(i))));

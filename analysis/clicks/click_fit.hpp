@@ -8,14 +8,16 @@
 
 namespace rigsound::analysis {
 
+constexpr std::size_t kFewestFitted = 4;  ///< clicks an envelope can be fitted to
+
 enum class FitEffort {
   kRough,  ///< two rounds on blocks of 8 samples: enough to explain a spectrogram by
   kFull
 };
 
 /// Maximum-likelihood clicks of the whitened signal y (RMS 1): three rounds on blocks of 8 samples (envelope,
-/// shifts, removals, additions), one on 2 samples, then shifts at full rate. `selection` must hold at least 4
-/// clicks. Thread: OFF.
+/// shifts, removals, additions), one on 2 samples, then shifts at full rate. `selection` must hold at least
+/// kFewestFitted clicks. Thread: OFF.
 ClickTrain fit_clicks(const Eigen::ArrayXd& y, const Candidates& candidates, const Selection& selection,
                       FitEffort effort);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kBands = 19;  // the lowest from the first bin to kSecond_hz, the others as wide in octaves
 constexpr double kSecond_hz = 250, kHighest_hz = 16000;
-constexpr double kHeard = 1e-6;  // of the loudest band
+constexpr double kAudible = 1e-6;  // of the loudest band
 constexpr double kLongest_s = 0.012, kLongestShare = 0.4;
 constexpr long kBeforeFrom = 3, kBeforeFrames = 2;  // frames: up to where the window reaches the click
 constexpr double kFloorQuantile = 0.1;
@@ -35,10 +35,10 @@ Eigen::ArrayXXd band_powers(const PowerSpectrogram& power) {
                           .colwise()
                           .mean();
   const Eigen::ArrayXd mean = bands.rowwise().mean();
-  long heard = 0;
+  long audible = 0;
   for (int band = 0; band < kBands; ++band)
-    if (mean(band) > kHeard * mean.maxCoeff()) bands.row(heard++) = bands.row(band).eval();
-  return bands.topRows(heard);
+    if (mean(band) > kAudible * mean.maxCoeff()) bands.row(audible++) = bands.row(band).eval();
+  return bands.topRows(audible);
 }
 
 /// What a band's mean over `length` frames is when it is quiet.

@@ -8,7 +8,7 @@ namespace rigsound::analysis {
 
 struct ClickLikeness {
   /// Mean Itakura-Saito divergence of the clicks' band powers from one spectrum with a gain a click over a
-  /// steady background. The strikes of one tool keep to it; notes, syllables and a drum kit do not.
+  /// steady background. The clicks of one tool keep to it; notes, syllables and a drum kit do not.
   double dispersion = 0;
   double rise = 0;    ///< mean of ln(power from a click on / power before it) over clicks and bands
   double rhythm = 0;  ///< of the band powers, see rhythm()

@@ -1,4 +1,4 @@
-// Is there a percussive drill in this recording at all?
+// The verdict on a clip: percussive drilling or not.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,11 +25,11 @@ struct DrillingEvidence {
   double with_clicks = 0;       ///< divergence per cell with the click train's words
 };
 
-/// Why this is no drilling, or nothing when it may be. Every figure may object, and objections add up; a sum
-/// up to `tolerance` is borne (1: one figure alone can refuse). Noise has clicks no better than chance finds;
-/// a swell (a rotary drill, an idling diesel) has no sharp rise; a voice or an instrument pulses faster than
-/// a drill or is not explained by one click repeated; the notes and drums of music differ from one another,
-/// follow bars or keep no period. Thread: OFF.
+/// Why this is no drilling, or nothing when it may be. Every figure has a weight against drilling; their sum
+/// must stay up to `tolerance` (1: one figure alone can exceed it). Noise has clicks no better than chance
+/// finds; a swell (a rotary drill, an idling diesel) has no sharp rise; a voice or an instrument pulses
+/// faster than a drill or is not explained by one click repeated; the notes and drums of music differ from
+/// one another, follow bars or keep no period. Thread: OFF.
 std::string no_drilling_reason(const DrillingEvidence& evidence, double tolerance);
 
 /// DrillingEvidence::irregularity of at least three clicks. Thread: OFF.

@@ -8,7 +8,7 @@
 
 namespace rigsound::analysis {
 
-/// Periods: a gap below the first is no gap at all; one below the second is a double strike, or an echo.
+/// Periods: a gap below the first is no gap at all; one below the second is a double impact, or an echo.
 constexpr double kShortestGap = 0.28, kDoubleBelow = 0.75;
 
 /// Median distance between neighbours of an ascending list of at least two times, in its unit.

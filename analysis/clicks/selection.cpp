@@ -16,7 +16,7 @@ constexpr double kMissCost = 2, kDoubleCost = 4, kPauseCost = 6 * kMissCost;
 constexpr double kLongestGap = 4.5;      // periods
 constexpr double kReferenceRate_hz = 5;  // the k-th highest candidate sets the scale, k = 5 a second
 constexpr double kScoreAtReference = 8.4, kScoreCap = 12;
-// Not all of what chance gives: it has many candidates a long period to choose from, of which strikes that
+// Not all of what chance gives: it has many candidates a long period to choose from, of which impacts that
 // are there leave it few, and slow drills would be found at half their period.
 constexpr double kChanceShare = 0.5;
 constexpr int kChanceDraws = 6;
@@ -53,7 +53,7 @@ Step best_step(const std::vector<int>& time, const std::vector<Step>& steps, int
 }
 
 /// Scores: the statistic scaled so that the reference candidate of every recording weighs the same, less a
-/// threshold that asks more of a candidate where others are clear.
+/// threshold that is higher where other candidates are clear.
 std::vector<double> scores(const Candidates& candidates, double reference) {
   const double threshold = std::clamp(0.27 * reference, 1.2, 3.0),
                scale = std::min(1.0, kScoreAtReference / reference);

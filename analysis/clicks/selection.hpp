@@ -14,8 +14,8 @@ struct Chain {
   double total = 0;         ///< scores less costs
 };
 
-/// What a gap of g periods costs: robust around 1, 2 … 4 (missed strikes), cheap around a half (a double
-/// strike); infinite below 0.28 and above 4.5, where only a pause continues the chain. Thread: OFF.
+/// What a gap of g periods costs: robust around 1, 2 … 4 (missed impacts), cheap around a half (a double
+/// impact); infinite below 0.28 and above 4.5, where only a pause continues the chain. Thread: OFF.
 double gap_cost(double g);
 
 /// The chain of largest total = sum of scores - gap costs - pauses - silent edges, by dynamic programming.
@@ -30,7 +30,7 @@ struct Selection {
 };
 
 /// Tries every period hypothesis within `range` and keeps the chain whose total exceeds most what the same
-/// candidates would give at random times: a short period finds a candidate for every strike by chance.
+/// candidates would give at random times: a short period finds a candidate for every impact by chance.
 /// Thread: OFF.
 Selection select_clicks(const Candidates& candidates, const RateRange& range);
 

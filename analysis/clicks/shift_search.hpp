@@ -1,4 +1,4 @@
-// Step 5, click by click: where the likelihood wants each one.
+// Step 5, click by click: the onset of largest likelihood.
 #pragma once
 
 #include "clicks/variance_model.hpp"

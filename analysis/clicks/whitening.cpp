@@ -23,12 +23,12 @@ constexpr double kLagWindow_hz = 60;  ///< Gaussian
 Eigen::ArrayXd weight(const Eigen::ArrayXd& S, const Eigen::ArrayXd& N) {
   const Eigen::ArrayXd s = S.max(1e-12 * S.maxCoeff() + 1e-20), total = s + N;
   Eigen::ArrayXd D = (N + kDrillingShare * s) * total / s;
-  std::vector<double> heard;
+  std::vector<double> filled;
   for (long f = 0; f < D.size(); ++f)
-    if (total(f) > kEmptyBin * total.maxCoeff()) heard.push_back(D(f));
-  const double largest = *std::max_element(heard.begin(), heard.end());
+    if (total(f) > kEmptyBin * total.maxCoeff()) filled.push_back(D(f));
+  const double largest = *std::max_element(filled.begin(), filled.end());
   D = (total > kEmptyBin * total.maxCoeff()).select(D, largest);
-  return D.min(kLargestOverMedian * upper_median(heard));
+  return D.min(kLargestOverMedian * upper_median(filled));
 }
 
 Eigen::ArrayXd autocorrelation(const Eigen::ArrayXd& power, int lags) {

@@ -1,4 +1,4 @@
-// Step 2: the filter that makes clicks stand out of the background they are heard in.
+// Step 2: the filter that makes clicks stand out of their background.
 #pragma once
 
 #include <Eigen/Core>

@@ -7,6 +7,12 @@
 #include "numeric/quantile.hpp"
 
 namespace rigsound::analysis {
+namespace {
+
+constexpr float kAudible = 1e-5f;  // of the loudest bin's power
+constexpr float kModelFloor = 1e-12f;
+
+}  // namespace
 
 Eigen::ArrayXf noise_level(const PowerSpectrogram& power, float start) {
   Eigen::ArrayXf level(power.bins());
@@ -47,6 +53,22 @@ PsdPair modelled_psd(const Factors& factors, const PowerSpectrogram& power) {
 Spectrogram wiener(const Spectrogram& X, const PsdPair& psd) {
   const Grid gain = psd.S / (psd.S + psd.N).max(1e-30f);
   return X * gain.cast<std::complex<float>>();
+}
+
+Grid itakura_saito(const PowerSpectrogram& power, const Factors& factors) {
+  const PsdPair psd = modelled_psd(factors, power);
+  const Grid L = (psd.S + psd.N) / static_cast<float>(power.scale);
+  const Grid ratio = power.P.leftCols(power.frames) / L.max(kModelFloor);
+  return ratio - ratio.log() - 1;
+}
+
+double mean_divergence(const PowerSpectrogram& power, const Factors& factors, const Eigen::ArrayXf& weight) {
+  const Eigen::ArrayXf mean = power.P.rowwise().mean();
+  const Eigen::ArrayXd audible = (mean > kAudible * mean.maxCoeff()).cast<double>();
+  const Eigen::ArrayXd by_bin =
+      (itakura_saito(power, factors).matrix() * weight.matrix()).cast<double>().array() /
+      std::max(1.0f, weight.sum());
+  return (by_bin * audible).sum() / audible.sum();
 }
 
 }  // namespace rigsound::analysis

@@ -1,4 +1,4 @@
-// A power spectrogram as the product of words and activations: what its noise starts from, what it models.
+// A power spectrogram as the product of words and activations: start, model, divergence.
 #pragma once
 
 #include "spectrum/power_spectrogram.hpp"
@@ -33,5 +33,12 @@ PsdPair modelled_psd(const Factors& factors, const PowerSpectrogram& power);
 
 /// G X with the Wiener gain G = S / (S + N). Thread: OFF.
 Spectrogram wiener(const Spectrogram& X, const PsdPair& psd);
+
+/// P/L - ln(P/L) - 1 of every cell, L = W H: bins x frames. Thread: OFF.
+Grid itakura_saito(const PowerSpectrogram& power, const Factors& factors);
+
+/// Mean over the bins that hold anything (1e-5 of the loudest) and the frames where `weight` is 1. Thread:
+/// OFF.
+double mean_divergence(const PowerSpectrogram& power, const Factors& factors, const Eigen::ArrayXf& weight);
 
 }  // namespace rigsound::analysis

@@ -1,4 +1,4 @@
-// Step 1: a first split into impulsive sound and slow background, knowing nothing but that.
+// Step 1: a first split into impulsive sound and slow background, without any other knowledge.
 #pragma once
 
 #include "denoise/factors.hpp"

@@ -72,8 +72,7 @@ std::vector<double> decimated(const std::vector<double>& x, int factor) {
   for (std::size_t n = 0; n < y.size(); ++n) {
     const std::ptrdiff_t start = static_cast<std::ptrdiff_t>(n) * factor + kernel.first();
     for (std::ptrdiff_t k = 0; k < kernel.taps(); ++k)
-      if (start + k >= 0 && start + k < size)
-        y[n] += w[static_cast<std::size_t>(k)] * x[static_cast<std::size_t>(start + k)];
+      if (start + k >= 0 && start + k < size) y[n] += w[k] * x[start + k];
   }
   return y;
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kFloor = 1e-4;            // relative; keeps the poles below 0.9986
 constexpr double kEdge = 0.92;             // of the source's Nyquist frequency: there its own filter begins
-constexpr int kLong = 8192, kShort = 512;  // the short window fits between two blows
+constexpr int kLong = 8192, kShort = 512;  // the short window fits between two impacts
 
 /// Welch's mean of Hann-windowed periodograms over stretches that are open throughout.
 std::vector<double> mean_spectrum(const std::vector<double>& x, const std::vector<char>& open, int size) {
@@ -49,8 +49,7 @@ std::vector<double> body_autocorrelation(const std::vector<double>& x, const std
   }
   dsp::Fft<double>(size).inverse(power.data(), im.data());
   std::vector<double> r;
-  for (int lag = 0; lag <= order; ++lag)
-    r.push_back(power[static_cast<std::size_t>(lag)] / (power[0] + 1e-300));
+  for (int lag = 0; lag <= order; ++lag) r.push_back(power[lag] / (power[0] + 1e-300));
   r[0] = 1 + kFloor;
   return r;
 }

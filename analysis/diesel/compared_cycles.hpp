@@ -10,7 +10,7 @@ namespace rigsound::analysis {
 /// The cycles of `section`, turned to the crank angle of `point`, N angle samples each. Thread: OFF.
 CyclicSound recorded_cycles(const Section& section, const DieselPoint& point, int N);
 
-/// What the engine's voice makes of `model` at the speed and load of `point`, turned likewise. Thread: OFF.
+/// What the diesel's voice makes of `model` at the speed and load of `point`, turned likewise. Thread: OFF.
 CyclicSound played_cycles(const DieselModel& model, const DieselPoint& point, int cycles, unsigned seed);
 
 }  // namespace rigsound::analysis

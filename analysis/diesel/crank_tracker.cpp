@@ -34,7 +34,7 @@ double between_marks(const Signal& marks, double cycle) {
   const auto mark = [&](std::ptrdiff_t j) {
     if (j < 0) return 2 * marks[0] - marks[1];
     if (j >= size) return 2 * marks[marks.size() - 1] - marks[marks.size() - 2];
-    return marks[static_cast<std::size_t>(j)];
+    return marks[j];
   };
   const double t = cycle - static_cast<double>(i), a = mark(i), b = mark(i + 1);
   const double da = (b - mark(i - 1)) / 2, db = (mark(i + 2) - a) / 2;
@@ -54,7 +54,7 @@ Match best_match(const double* two, const Signal& tmpl, int reach) {
     double dot = 0, energy = 0;
     for (int i = 0; i < G; ++i) {
       const double v = two[G / 2 + d + i];
-      dot += v * tmpl[static_cast<std::size_t>(i)], energy += v * v;
+      dot += v * tmpl[i], energy += v * v;
     }
     c.push_back(dot / (std::sqrt(energy * norm) + 1e-20));
   }
@@ -96,8 +96,8 @@ Signal smoothed(const Signal& value, const Signal& weight) {
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd right(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    entries.emplace_back(i, i, weight[static_cast<std::size_t>(i)]);
-    right[i] = weight[static_cast<std::size_t>(i)] * value[static_cast<std::size_t>(i)];
+    entries.emplace_back(i, i, weight[i]);
+    right[i] = weight[i] * value[i];
   }
   constexpr double kDifference[3] = {1, -2, 1};
   for (Eigen::Index i = 0; i + 2 < n; ++i)
@@ -169,9 +169,9 @@ CrankTrack refined(const Signal& band, Signal marks, double global) {
 }  // namespace
 
 double CrankTrack::rpm() const {
-  return theta.size() < 2
-             ? 0
-             : 120 * kAnalysisRate * (theta.back() - theta.front()) / static_cast<double>(theta.size() - 1);
+  return theta.size() < 2 ? 0
+                          : rpm_of_cycles(kAnalysisRate) * (theta.back() - theta.front()) /
+                                static_cast<double>(theta.size() - 1);
 }
 
 double repeating_rpm(const std::vector<double>& x, double rpm) {
@@ -198,12 +198,12 @@ double repeating_rpm(const std::vector<double>& x, double rpm) {
   if (best == 0 || re[best] < 0.05 * re[0]) return 0;
   const double y0 = re[best - 1], y1 = re[best], y2 = re[best + 1];
   const double lag = static_cast<double>(best) + 0.5 * (y0 - y2) / (y0 - 2 * y1 + y2);
-  return 120 * kAnalysisRate / factor / lag;
+  return rpm_of_cycles(kAnalysisRate / factor) / lag;
 }
 
 CrankTrack track_steady(const std::vector<double>& x, double rpm) {
   const Signal band = tracking_band(x, cycles_per_second(rpm));
-  return refined(band, running_marks(band, 120 * kAnalysisRate / rpm), 0.5);
+  return refined(band, running_marks(band, rpm_of_cycles(kAnalysisRate) / rpm), 0.5);
 }
 
 CrankTrack track_logged(const std::vector<double>& x, const std::vector<double>& rpm) {

@@ -16,7 +16,7 @@ struct CrankTrack {
 /// repeat there at all. Thread: OFF.
 double repeating_rpm(const std::vector<double>& x, double rpm);
 
-/// Follows a steady engine from its mean speed: running template, then six rounds of alignment to the mean of
+/// Tracks a steady diesel from its mean speed: running template, then six rounds of alignment to the mean of
 /// all cycles and of the neighbouring ones, smoothed. Accuracy on the simulator: below 0.5 degrees rms.
 /// Thread: OFF.
 CrankTrack track_steady(const std::vector<double>& x, double rpm);

@@ -13,14 +13,14 @@ constexpr double kHighest_hz = 1500;  // and as high
 
 /// Power of orders first, first + step, ... and what chance leaves of it.
 struct Power {
-  double heard = 0, chance = 1e-30;
-  double over_chance() const { return heard / chance; }
+  double found = 0, chance = 1e-30;
+  double over_chance() const { return found / chance; }
 };
 
 Power power_of(const Orders& orders, std::size_t first, std::size_t step) {
   Power p;
   for (std::size_t k = first; k <= orders.C.size(); k += step)
-    p.heard += std::norm(orders.C[k - 1]), p.chance += orders.noise[k - 1];
+    p.found += std::norm(orders.C[k - 1]), p.chance += orders.noise[k - 1];
   return p;
 }
 
@@ -28,7 +28,7 @@ Power power_of(const Orders& orders, std::size_t first, std::size_t step) {
 
 Alternation alternation_of(const Section& section) {
   CycleBlock block = cycles_of(section, section.x, 0, kAngles);
-  block.open.clear();  // blows keep no step with the crank: they are chance, which gates would hide
+  block.open.clear();  // impacts are not locked to the crank: they are noise, which gates would hide
   const int last = std::min(kAngles / 4, static_cast<int>(kHighest_hz / section.f0()));
   const Orders one = orders_of(block, 0, block.cycles, last);
   block.N *= 2, block.cycles /= 2;

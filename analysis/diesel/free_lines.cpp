@@ -18,8 +18,8 @@ using Complex = std::complex<double>;
 
 constexpr int kPredictor = 4, kFewestFrames = 60;
 constexpr double kClear = 2;       // 3 dB, for the prediction and for the peak
-constexpr double kLowest_hz = 30;  // as the crank tracker listens
-constexpr double kFlutter = 0.08;  // orders: this near to one, its own unsteadiness sounds
+constexpr double kLowest_hz = 30;  // the crank tracker's band begins here
+constexpr double kFlutter = 0.08;  // orders: this near to one, its own unsteadiness is found
 constexpr double kSame = 0.0012;   // two cents
 constexpr double kAsSharp = 0.9;   // of the sharpness over time, to count as locked
 constexpr double kBlock_s = 1;     // in which level and phase of a line are measured
@@ -42,6 +42,7 @@ struct Candidate {
   double order = 0, hz = 0, sharpness = 0, amplitude = 0;
   bool locked = false;
   double frequency() const { return locked ? order : hz; }
+  Lock lock() const { return locked ? Lock::kCrank : Lock::kTime; }
 };
 
 bool is_between_orders(double order) { return std::fabs(order - std::round(order)) > kFlutter; }
@@ -77,7 +78,7 @@ std::vector<int> predictable_channels(const View& view, double lowest, double hi
   const int last = std::min(view.M - 2, static_cast<int>(highest / view.width()));
   for (int q = first - 1; q <= last + 1; ++q) {
     Signal channel;
-    for (int r = 1; r + 1 < frames; ++r) channel.push_back(X[static_cast<std::size_t>(r * view.M + q)]);
+    for (int r = 1; r + 1 < frames; ++r) channel.push_back(X[r * view.M + q]);
     power.push_back(0);
     for (const double v : channel) power.back() += v * v;
     channels.push_back(std::move(channel));
@@ -164,29 +165,31 @@ std::vector<Complex> envelope(const Signal& x, const Signal& phase) {
 }
 
 /// Phase of a line at every sample, cycles in 0...1.
-Signal phase_of(const Section& s, double frequency, bool order_locked) {
+Signal phase_of(const Section& s, double frequency, Lock lock) {
   Signal phase;
   for (std::size_t n = 0; n < s.theta.size(); ++n) {
-    const double turns = frequency * (order_locked ? s.theta[n] : static_cast<double>(n) / kAnalysisRate);
+    const double turns =
+        frequency * (lock == Lock::kCrank ? s.theta[n] : static_cast<double>(n) / kAnalysisRate);
     phase.push_back(wrapped(turns));
   }
   return phase;
 }
 
-double amplitude_of(const Unrepeated& heard, const Candidate& line) {
-  const std::vector<Complex> c = envelope(*heard.x, phase_of(*heard.section, line.frequency(), line.locked));
+double amplitude_of(const SectionResidual& residual, const Candidate& line) {
+  const std::vector<Complex> c =
+      envelope(*residual.x, phase_of(*residual.section, line.frequency(), line.lock()));
   Complex product = 0;  // of blocks that share no sample, so no noise
   for (std::size_t b = 0; b + 2 < c.size(); ++b) product += c[b] * std::conj(c[b + 2]);
   return c.size() < 3 ? 0 : 2 * std::sqrt(std::abs(product) / static_cast<double>(c.size() - 2));
 }
 
 /// The lines of one section, each over time or over angle, where it is sharper.
-std::vector<Candidate> candidates_of(const Unrepeated& heard, std::size_t section, int N) {
-  const Section& s = *heard.section;
+std::vector<Candidate> candidates_of(const SectionResidual& residual, std::size_t section, int N) {
+  const Section& s = *residual.section;
   const double f0 = s.f0(), highest = 0.95 * s.nyquist_hz;
   const int M = 1 << static_cast<int>(std::log2(kAnalysisRate / f0));
-  const View time{*heard.x, kAnalysisRate, M, 1 / f0};
-  const View angle{cycles_of(s, *heard.x, 0, N).y, static_cast<double>(N), N, 1};
+  const View time{*residual.x, kAnalysisRate, M, 1 / f0};
+  const View angle{cycles_of(s, *residual.x, 0, N).y, static_cast<double>(N), N, 1};
   std::vector<Candidate> found;
   for (const Peak& p : peaks_of(angle, kLowest_hz / f0, highest / f0))
     found.push_back({section, p.frequency, p.frequency * f0, p.sharpness, 0, true});
@@ -200,55 +203,61 @@ std::vector<Candidate> candidates_of(const Unrepeated& heard, std::size_t sectio
     else if (other->sharpness < kAsSharp * p.sharpness)
       *other = {section, order, p.frequency, p.sharpness, 0, false};
   }
-  for (Candidate& c : found) c.amplitude = amplitude_of(heard, c);
+  for (Candidate& c : found) c.amplitude = amplitude_of(residual, c);
   return found;
 }
 
 bool same(double a, double b) { return std::fabs(a / b - 1) < kSame; }
 
-/// `first` and its like in the other sections, one a section.
-std::vector<Candidate> kin_of(const Candidate& first, const std::vector<Candidate>& pool, bool by_order) {
-  std::vector<Candidate> kin = {first};
+/// Whether both lie at the frequency that `lock` keeps.
+bool matches(const Candidate& c, const Candidate& other, Lock lock) {
+  return lock == Lock::kCrank ? same(c.order, other.order) : same(c.hz, other.hz);
+}
+
+/// `first` and the lines of the other sections at its frequency, one a section.
+std::vector<Candidate> matching_lines(const Candidate& first, const std::vector<Candidate>& pool, Lock lock) {
+  std::vector<Candidate> lines = {first};
   for (const Candidate& c : pool) {
-    const bool alike = by_order ? same(c.order, first.order) : same(c.hz, first.hz);
     const bool taken =
-        std::any_of(kin.begin(), kin.end(), [&](const Candidate& k) { return k.section == c.section; });
-    if (alike && !taken) kin.push_back(c);
+        std::any_of(lines.begin(), lines.end(), [&](const Candidate& k) { return k.section == c.section; });
+    if (matches(c, first, lock) && !taken) lines.push_back(c);
   }
-  return kin;
+  return lines;
 }
 
-/// Sections in which a line like `c` could have been told from the orders.
-std::size_t witnesses(const Candidate& c, bool by_order, const std::vector<Unrepeated>& heard) {
-  if (by_order) return heard.size();
-  return static_cast<std::size_t>(std::count_if(heard.begin(), heard.end(), [&](const Unrepeated& u) {
-    return is_between_orders(c.hz / u.section->f0());
-  }));
+/// Sections in which a line like `c` is far enough from the orders to be resolved.
+std::size_t resolvable_sections(const Candidate& c, Lock lock,
+                                const std::vector<SectionResidual>& residuals) {
+  if (lock == Lock::kCrank) return residuals.size();
+  return static_cast<std::size_t>(
+      std::count_if(residuals.begin(), residuals.end(),
+                    [&](const SectionResidual& r) { return is_between_orders(c.hz / r.section->f0()); }));
 }
 
-FreeLine joined(const std::vector<Candidate>& kin, bool locked, std::size_t sections) {
-  const auto count = static_cast<double>(kin.size());
+FreeLine joined(const std::vector<Candidate>& lines, Lock lock, std::size_t sections) {
+  const auto count = static_cast<double>(lines.size());
+  const bool locked = lock == Lock::kCrank;
   FreeLine line;
   line.tone.order_locked = locked;
   double power = 0;
-  for (const Candidate& c : kin) {
+  for (const Candidate& c : lines) {
     line.tone.frequency += (locked ? c.order : c.hz) / count;
     power += c.amplitude * c.amplitude / count;
   }
   line.tone.amplitude = std::sqrt(power);
   line.frequency.assign(sections, line.tone.frequency);
-  for (const Candidate& c : kin) line.frequency[c.section] = locked ? c.order : c.hz;
+  for (const Candidate& c : lines) line.frequency[c.section] = locked ? c.order : c.hz;
   return line;
 }
 
 }  // namespace
 
-std::vector<FreeLine> free_lines(const std::vector<Unrepeated>& heard, int N) {
+std::vector<FreeLine> free_lines(const std::vector<SectionResidual>& residuals, int N) {
   std::vector<FreeLine> lines;
   std::vector<Candidate> pool;
-  for (std::size_t i = 0; i < heard.size(); ++i) {
-    if (!heard[i].section->open.empty()) return lines;
-    const std::vector<Candidate> found = candidates_of(heard[i], i, N);
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    if (!residuals[i].section->open.empty()) return lines;
+    const std::vector<Candidate> found = candidates_of(residuals[i], i, N);
     pool.insert(pool.end(), found.begin(), found.end());
   }
   std::sort(pool.begin(), pool.end(),
@@ -256,23 +265,22 @@ std::vector<FreeLine> free_lines(const std::vector<Unrepeated>& heard, int N) {
   while (!pool.empty()) {
     const Candidate first = pool.front();
     pool.erase(pool.begin());
-    const std::vector<Candidate> locked = kin_of(first, pool, true), fixed = kin_of(first, pool, false);
-    const bool by_order = locked.size() == fixed.size() ? first.locked : locked.size() > fixed.size();
-    const std::vector<Candidate>& kin = by_order ? locked : fixed;
-    pool.erase(std::remove_if(pool.begin(), pool.end(),
-                              [&](const Candidate& c) {
-                                return by_order ? same(c.order, first.order) : same(c.hz, first.hz);
-                              }),
-               pool.end());
-    if (2 * kin.size() > witnesses(first, by_order, heard))
-      lines.push_back(joined(kin, by_order, heard.size()));
+    const std::vector<Candidate> by_order = matching_lines(first, pool, Lock::kCrank),
+                                 by_hz = matching_lines(first, pool, Lock::kTime);
+    const bool locked = by_order.size() == by_hz.size() ? first.locked : by_order.size() > by_hz.size();
+    const Lock lock = locked ? Lock::kCrank : Lock::kTime;
+    const std::vector<Candidate>& matching = locked ? by_order : by_hz;
+    pool.erase(
+        std::remove_if(pool.begin(), pool.end(), [&](const Candidate& c) { return matches(c, first, lock); }),
+        pool.end());
+    if (2 * matching.size() > resolvable_sections(first, lock, residuals))
+      lines.push_back(joined(matching, lock, residuals.size()));
   }
   return lines;
 }
 
-std::vector<double> without_line(const Section& section, std::vector<double> x, double frequency,
-                                 bool order_locked) {
-  const Signal phase = phase_of(section, frequency, order_locked);
+std::vector<double> without_line(const Section& section, std::vector<double> x, double frequency, Lock lock) {
+  const Signal phase = phase_of(section, frequency, lock);
   const std::vector<Complex> c = envelope(x, phase);
   if (c.empty()) return x;
   const double hop = kBlock_s * kAnalysisRate / 2;

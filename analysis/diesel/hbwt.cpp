@@ -41,8 +41,7 @@ HbwtCoefficients<T> hbwt(const std::vector<T>& x, const HbwtShape& shape) {
 
   std::vector<T> padded = x;
   const int wanted = (T_frames - 1) * M;
-  for (int i = c.length; i < wanted; ++i)
-    padded.push_back(i >= P ? padded[static_cast<std::size_t>(i - P)] : T(0));
+  for (int i = c.length; i < wanted; ++i) padded.push_back(i >= P ? padded[i - P] : T(0));
   const std::vector<T> X = mdct_frames(padded, M);
 
   const std::size_t columns = static_cast<std::size_t>(P);
@@ -54,13 +53,11 @@ HbwtCoefficients<T> hbwt(const std::vector<T>& x, const HbwtShape& shape) {
     for (int n = 1; n <= shape.N; ++n) {
       const int size = c.frames >> (n - 1);
       dsp::db4_analyse(line.data(), size, low.data(), high.data());
-      for (int i = 0; i < size / 2; ++i)
-        c.d[static_cast<std::size_t>(n - 1)][static_cast<std::size_t>(i) * columns + column] =
-            high[static_cast<std::size_t>(i)];
+      for (int i = 0; i < size / 2; ++i) c.d[n - 1][static_cast<std::size_t>(i) * columns + column] = high[i];
       std::copy_n(low.begin(), size / 2, line.begin());
     }
     for (int i = 0; i < c.frames >> shape.N; ++i)
-      c.a[static_cast<std::size_t>(i) * columns + column] = line[static_cast<std::size_t>(i)];
+      c.a[static_cast<std::size_t>(i) * columns + column] = line[i];
   }
   return c;
 }
@@ -72,12 +69,10 @@ std::vector<T> inverse_hbwt(const HbwtCoefficients<T>& c) {
   std::vector<T> line(static_cast<std::size_t>(c.frames)), high(line.size()), next(line.size());
   for (std::size_t column = 0; column < columns; ++column) {
     for (int i = 0; i < c.frames >> c.shape.N; ++i)
-      line[static_cast<std::size_t>(i)] = c.a[static_cast<std::size_t>(i) * columns + column];
+      line[i] = c.a[static_cast<std::size_t>(i) * columns + column];
     for (int n = c.shape.N; n >= 1; --n) {
       const int size = c.frames >> (n - 1);
-      for (int i = 0; i < size / 2; ++i)
-        high[static_cast<std::size_t>(i)] =
-            c.d[static_cast<std::size_t>(n - 1)][static_cast<std::size_t>(i) * columns + column];
+      for (int i = 0; i < size / 2; ++i) high[i] = c.d[n - 1][static_cast<std::size_t>(i) * columns + column];
       dsp::db4_synthesise(line.data(), high.data(), size, next.data());
       line.swap(next);
     }

@@ -23,7 +23,7 @@ constexpr double kSlot_s = 0.0022;
 constexpr double kBelowCrossover = 0.7;  // high-pass of the analysis; the voice has its own at f_x
 constexpr int kWindowCycles = 8;         // of a run-up, for the body
 constexpr double kSure = 3;              // times the noise, for a level that shapes the body
-constexpr double kHidden = 0.04;         // of its power is left of an order that chance may have made
+constexpr double kHidden = 0.04;         // of its power is kept of an order that may be noise
 constexpr double kFormulaRms = 0.05;     // level the built-in hydraulics go with
 
 int power_of_two_from(double least, int low, int high) {
@@ -90,16 +90,15 @@ std::vector<double> crank_origins(const std::vector<Work>& work) {
         const double distance = std::fabs(std::log(a.section->f0() / b.section->f0()));
         if (distance >= nearest) continue;
         nearest = distance;
-        origin[static_cast<std::size_t>(take)] =
-            origin[static_cast<std::size_t>(a.section->take)] + crank_shift(a.orders, b.orders);
+        origin[take] = origin[a.section->take] + crank_shift(a.orders, b.orders);
       }
   }
   for (double& o : origin) o -= std::floor(o);
   return origin;
 }
 
-/// Leaves what a cycle does not repeat, in time.
-void take_off_orders(Work& work) {
+/// The residual of the mean cycle, over time.
+void subtract_orders(Work& work) {
   const Section& s = *work.section;
   const std::vector<double> cycle = mean_cycle(work.block, 0, work.block.cycles);
   std::vector<double> wrapped(cycle.end() - 32, cycle.end()), at;
@@ -115,14 +114,14 @@ void take_off_orders(Work& work) {
 }
 
 /// Lines off the orders become tones of the model: in slots they would be noise.
-std::vector<DieselOscillator> take_off_lines(int N_theta, std::vector<Work>& work) {
-  std::vector<Unrepeated> heard;
-  for (const Work& w : work) heard.push_back({w.section, &w.residual});
+std::vector<DieselOscillator> subtract_lines(int N_theta, std::vector<Work>& work) {
+  std::vector<SectionResidual> residuals;
+  for (const Work& w : work) residuals.push_back({w.section, &w.residual});
   std::vector<DieselOscillator> tones;
-  for (const FreeLine& line : free_lines(heard, N_theta)) {
+  for (const FreeLine& line : free_lines(residuals, N_theta)) {
     for (std::size_t i = 0; i < work.size(); ++i)
       work[i].residual = without_line(*work[i].section, std::move(work[i].residual), line.frequency[i],
-                                      line.tone.order_locked);
+                                      line.tone.order_locked ? Lock::kCrank : Lock::kTime);
     tones.push_back(line.tone);
   }
   return tones;
@@ -135,13 +134,13 @@ void split_high(double f_x, Work& work) {
     work.high = zero_phase_high_pass(work.residual, kBelowCrossover * f_x, kAnalysisRate);
     return;
   }
-  // Only forward: a blow must not ring into the silence before it.
+  // Only forward: an impact must not ring into the silence before it.
   dsp::Butterworth6 filter(dsp::Pass::kHigh, kBelowCrossover * f_x, kAnalysisRate);
   for (const double v : work.residual) work.high.push_back(filter.process(v));
 }
 
-/// Orders as far as chance did not make them (Wiener's gain). None is put out: a bank in which an order hides
-/// would silence it half the way to the next bank.
+/// Orders without the share that noise explains (Wiener's gain). None is removed: an order missing in one
+/// point would be missing half the way to the next point.
 std::vector<std::complex<float>> sure_orders(const Orders& orders) {
   std::vector<std::complex<float>> C;
   for (std::size_t k = 0; k < orders.C.size(); ++k) {
@@ -180,7 +179,7 @@ void add_moments(const Work& work, int last, std::vector<OrderLevels>& moments) 
 LearnedPoint report_of(const Work& work) {
   const Section& s = *work.section;
   return {s.source,
-          120 * s.f0(),
+          rpm_of_cycles(s.f0()),
           s.load,
           static_cast<double>(s.x.size()) / kAnalysisRate,
           work.block.cycles,
@@ -236,14 +235,14 @@ LearnedDiesel learn_diesel(const std::vector<DieselTake>& takes, const DieselSet
   std::vector<OrderLevels> moments;
   std::vector<std::vector<double>> autocorrelations;
   for (Work& w : work) {
-    w.origin = origins[static_cast<std::size_t>(w.section->take)];
+    w.origin = origins[w.section->take];
     w.block = cycles_of(*w.section, w.section->x, w.origin, model.angle_samples);
     const int last = last_order(*w.section, model.angle_samples);
     w.orders = orders_of(w.block, 0, w.block.cycles, last);
     add_moments(w, last, moments);
-    take_off_orders(w);
+    subtract_orders(w);
   }
-  model.oscillators = take_off_lines(model.angle_samples, work);
+  model.oscillators = subtract_lines(model.angle_samples, work);
   for (Work& w : work) {
     split_high(model.crossover_hz, w);
     autocorrelations.push_back(body_autocorrelation(w.high, w.section->open, w.section->nyquist_hz, order));
@@ -254,7 +253,7 @@ LearnedDiesel learn_diesel(const std::vector<DieselTake>& takes, const DieselSet
 
   for (Work& w : work) {
     w.point.source = w.section->source;
-    w.point.rpm = 120 * w.section->f0();
+    w.point.rpm = rpm_of_cycles(w.section->f0());
     w.point.load = w.section->load;
     w.point.orders = sure_orders(w.orders);
     learn_noise(model, settings.grains, w);
@@ -263,15 +262,6 @@ LearnedDiesel learn_diesel(const std::vector<DieselTake>& takes, const DieselSet
   }
   add_hydraulics(sections, model);
   return learned;
-}
-
-std::size_t parameter_count(const DieselModel& model) {
-  std::size_t count = model.body_filter.size() + model.body.db.size() + 4 * model.oscillators.size() +
-                      model.hydraulic.pump.size() + model.hydraulic.flow_filter.size() + 12;
-  for (const DieselPoint& p : model.points)
-    count +=
-        2 * p.orders.size() + p.low_variance.size() + p.slot_variance.size() + p.slot_log_variance.size() + 3;
-  return count;
 }
 
 }  // namespace rigsound::analysis

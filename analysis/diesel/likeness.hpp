@@ -1,11 +1,11 @@
-// How near one engine sound comes to another, as numbers (background.md, c6).
+// How near one diesel sound comes to another, as numbers (README, c6).
 #pragma once
 
 #include <vector>
 
 namespace rigsound::analysis {
 
-/// An engine at one speed in whole cycles, N angle samples each.
+/// A diesel at one speed in whole cycles, N angle samples each.
 struct CyclicSound {
   std::vector<double> y;
   int N = 0;

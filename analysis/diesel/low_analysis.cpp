@@ -17,8 +17,8 @@ std::vector<double> column_power(const std::vector<double>& rows, int columns, i
   std::vector<double> v(static_cast<std::size_t>(columns), 0.0);
   for (int r = first; r < last; ++r)
     for (int c = 0; c < columns; ++c) {
-      const double x = rows[static_cast<std::size_t>(r * columns + c)];
-      v[static_cast<std::size_t>(c)] += x * x / (last - first);
+      const double x = rows[r * columns + c];
+      v[c] += x * x / (last - first);
     }
   return v;
 }
@@ -37,7 +37,7 @@ void learn_low_layer(const CycleBlock& residual, int P_lo, int N, DieselPoint& p
     for (const double v : column_power(rows, P_lo, first, last))
       point.low_variance.push_back(static_cast<float>(v * correction));
   };
-  for (int n = 1; n <= N; ++n) keep(c.d[static_cast<std::size_t>(n - 1)], n, 1.0);
+  for (int n = 1; n <= N; ++n) keep(c.d[n - 1], n, 1.0);
   // All of the mean cycle lay in the scaling band.
   const double left = std::max(2.0, static_cast<double>(whole >> N));
   keep(c.a, N, left / (left - 1));
@@ -50,14 +50,14 @@ void gate_low_layer(const Section& section, const std::vector<double>& residual,
     dsp::Butterworth6 over(dsp::Pass::kHigh, high / 2, kAnalysisRate),
         under(dsp::Pass::kLow, high, kAnalysisRate);
     double all = 0, open = 0;
-    std::size_t listened = 1;
+    std::size_t counted = 1;
     for (std::size_t n = 0; n < residual.size(); ++n) {
       const double y = over.process(under.process(residual[n]));
       all += y * y;
-      if (section.open[n]) open += y * y, ++listened;
+      if (section.open[n]) open += y * y, ++counted;
     }
     const double share =
-        std::min(1.0, open / static_cast<double>(listened) / (all / static_cast<double>(residual.size())));
+        std::min(1.0, open / static_cast<double>(counted) / (all / static_cast<double>(residual.size())));
     for (std::size_t i = 0; i < point.low_variance.size(); ++i) {
       const double f = (static_cast<double>(i % static_cast<std::size_t>(P_lo)) + 0.5) / 2 * section.f0();
       if (f >= high / 2 && (f < high || high > f_x)) point.low_variance[i] *= static_cast<float>(share);

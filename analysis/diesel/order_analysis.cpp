@@ -57,7 +57,8 @@ double crank_shift(const Orders& reference, const Orders& orders) {
     const double sure = std::min(std::norm(a) / (reference.noise[k - 1] + 1e-30),
                                  std::norm(b) / (orders.noise[k - 1] + 1e-30));
     if (sure < 4) continue;
-    // The body turns the phases with speed; weak orders say as much about the crank as loud ones.
+    // The body turns the phases with speed; weak orders hold as much information about the crank as loud
+    // ones.
     const std::complex<double> product = std::conj(a) * b;
     const std::complex<double> weighted = product / std::pow(std::abs(product), 0.5);
     re[k] = weighted.real(), im[k] = weighted.imag();

@@ -1,4 +1,4 @@
-// The part of the engine that repeats: mean cycle, orders, and how sure they are (A4).
+// The part of the sound that repeats: mean cycle, orders, and how sure they are (A4).
 #pragma once
 
 #include <complex>

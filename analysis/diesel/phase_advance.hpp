@@ -1,4 +1,4 @@
-// Undoing ahead of time what the voice's crossover does to the phase.
+// Compensation of the phase of the voice's crossover.
 #pragma once
 
 #include <vector>

@@ -16,20 +16,20 @@ namespace {
 
 constexpr int kFewestCycles = 20, kFewCycles = 100;
 constexpr double kTolerance = 0.03, kWorstCorrelation = 0.7;
-constexpr double kCut = 1.12;          // speed ratio at which a run-up becomes another point
-constexpr double kBlowTail_s = 0.018;  // a blow is heard this long
+constexpr double kCut = 1.12;            // speed ratio at which a run-up becomes another point
+constexpr double kImpactTail_s = 0.018;  // an impact sounds this long
 constexpr double kClippedShare = 0.01;
 
-/// 1 where no blow sounds: 18 ms after one until the next.
+/// 1 where no impact sounds: 18 ms after one until the next.
 std::vector<char> open_samples(const DieselTake& take) {
-  if (take.blows_s.empty()) return {};
+  if (take.impacts_s.empty()) return {};
   std::vector<char> open(take.mono.size(), 1);
-  for (const double blow : take.blows_s) {
-    const auto from = static_cast<std::ptrdiff_t>(blow * kAnalysisRate);
-    const auto to = static_cast<std::ptrdiff_t>((blow + kBlowTail_s) * kAnalysisRate);
+  for (const double impact : take.impacts_s) {
+    const auto from = static_cast<std::ptrdiff_t>(impact * kAnalysisRate);
+    const auto to = static_cast<std::ptrdiff_t>((impact + kImpactTail_s) * kAnalysisRate);
     for (std::ptrdiff_t n = std::max<std::ptrdiff_t>(0, from);
          n < std::min<std::ptrdiff_t>(to, static_cast<std::ptrdiff_t>(open.size())); ++n)
-      open[static_cast<std::size_t>(n)] = 0;
+      open[n] = 0;
   }
   return open;
 }
@@ -40,7 +40,7 @@ void warn_of_clipping(const DieselTake& take, std::vector<std::string>& warnings
                                    100 * take.clipped));
 }
 
-/// Half or twice the speed is the usual slip, and the tracker follows it as well.
+/// Half or twice the speed is a common mistake, and the tracker locks to it as well.
 void require_whole_cycles(const Section& section, double rpm, std::vector<std::string>& warnings) {
   constexpr double kAlternates = 4, kAlike = 0.9, kSurelyDiffer = 40, kNearlyAlike = 1.5, kDiffer = 10;
   const Alternation a = alternation_of(section);
@@ -49,8 +49,9 @@ void require_whole_cycles(const Section& section, double rpm, std::vector<std::s
   };
   if (a.cycles > kAlternates)
     throw InputError(section.source, 0, "rpm",
-                     better(60 * section.f0(), "every other cycle of 720 degrees differs"));
-  const std::string twice = better(240 * section.f0(), "a cycle of 720 degrees holds the same sound twice");
+                     better(rpm_of_cycles(section.f0()) / 2, "every other cycle of 720 degrees differs"));
+  const std::string twice =
+      better(2 * rpm_of_cycles(section.f0()), "a cycle of 720 degrees holds the same sound twice");
   if (a.halves < kAlike && a.quarters > kSurelyDiffer) throw InputError(section.source, 0, "rpm", twice);
   if (a.halves < kNearlyAlike && a.quarters > kDiffer)
     warnings.push_back(fmt::format("{}: rpm: {}", section.source, twice));
@@ -99,8 +100,8 @@ std::vector<std::size_t> cuts(const DieselTake& take, const std::vector<double>&
     if (take.rpm_log.empty())
       throw InputError(
           take.source, 0, "rpm",
-          fmt::format("moves from {:.0f} to {:.0f} r/min, expected a steady engine or its rpm track",
-                      120 * low, 120 * high));
+          fmt::format("moves from {:.0f} to {:.0f} r/min, expected a steady speed or its rpm track",
+                      rpm_of_cycles(low), rpm_of_cycles(high)));
     ends.push_back(n);
     low = high = f;
   }

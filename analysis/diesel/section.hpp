@@ -13,7 +13,7 @@ struct Section {
   int take = 0;               ///< sections of one take share its crank origin
   std::vector<double> x;      ///< samples, kAnalysisRate
   std::vector<double> theta;  ///< cycles at every sample
-  std::vector<char> open;     ///< per sample: not under a blow; empty: all of it
+  std::vector<char> open;     ///< per sample: not under an impact; empty: all of it
   double nyquist_hz = 24000;  ///< of the source
   double load = 0, correlation = 0;
   bool run_up = false;

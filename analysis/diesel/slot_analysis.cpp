@@ -24,14 +24,14 @@ struct Frames {
   Frames(const CycleBlock& block, int slots)
       : L(slots), M(block.N / slots), cycles(block.cycles), X(mdct_frames(block.y, M)) {
     open.assign(static_cast<std::size_t>(L * cycles), 1);
-    for (int l = 0; l < L; ++l) open[static_cast<std::size_t>(l)] = 0;  // the first cycle lacks its past
+    for (int l = 0; l < L; ++l) open[l] = 0;  // the first cycle lacks its past
     if (block.open.empty()) return;
     for (int t = L; t < L * cycles; ++t)
       for (int i = (t - 1) * M; i < (t + 1) * M; ++i)
-        if (!block.open[static_cast<std::size_t>(i)]) open[static_cast<std::size_t>(t)] = 0;
+        if (!block.open[i]) open[t] = 0;
   }
-  double at(int t, int q) const { return X[static_cast<std::size_t>(t * M + q)]; }
-  bool usable(int t) const { return open[static_cast<std::size_t>(t)] != 0; }
+  double at(int t, int q) const { return X[t * M + q]; }
+  bool usable(int t) const { return open[t] != 0; }
 
   int L, M, cycles;
   std::vector<double> X;
@@ -51,18 +51,13 @@ std::vector<double> variances(const Frames& f) {
   }
   // The mean cycle was taken off: of n values n - 1 are left.
   for (int l = 0; l < f.L; ++l)
-    for (int q = 0; q < f.M; ++q)
-      v[static_cast<std::size_t>(l * f.M + q)] /= std::max(1, count[static_cast<std::size_t>(l)] - 1);
+    for (int q = 0; q < f.M; ++q) v[l * f.M + q] /= std::max(1, count[l] - 1);
   for (int l = 0; l < f.L; ++l) {
-    if (count[static_cast<std::size_t>(l)] >= 2) continue;
+    if (count[l] >= 2) continue;
     int before = l, after = l;
-    for (int step = 0; step < f.L && count[static_cast<std::size_t>(before)] < 2; ++step)
-      before = (before + f.L - 1) % f.L;
-    for (int step = 0; step < f.L && count[static_cast<std::size_t>(after)] < 2; ++step)
-      after = (after + 1) % f.L;
-    for (int q = 0; q < f.M; ++q)
-      v[static_cast<std::size_t>(l * f.M + q)] = 0.5 * (v[static_cast<std::size_t>(before * f.M + q)] +
-                                                        v[static_cast<std::size_t>(after * f.M + q)]);
+    for (int step = 0; step < f.L && count[before] < 2; ++step) before = (before + f.L - 1) % f.L;
+    for (int step = 0; step < f.L && count[after] < 2; ++step) after = (after + 1) % f.L;
+    for (int q = 0; q < f.M; ++q) v[l * f.M + q] = 0.5 * (v[before * f.M + q] + v[after * f.M + q]);
   }
   return v;
 }
@@ -71,7 +66,7 @@ std::vector<double> variances(const Frames& f) {
 std::vector<double> log_gains(const Frames& f, const std::vector<double>& v, std::vector<double>& s2) {
   std::vector<double> gains(static_cast<std::size_t>(f.L * f.cycles), 0.0);
   for (int l = 0; l < f.L; ++l) {
-    const double* row = &v[static_cast<std::size_t>(l * f.M)];
+    const double* row = &v[l * f.M];
     double sum = 0, squares = 0;
     for (int q = 0; q < f.M; ++q) sum += row[q], squares += row[q] * row[q];
     const double effective = sum * sum / (squares + 1e-300);  // channels that share the power
@@ -94,7 +89,7 @@ std::vector<double> log_gains(const Frames& f, const std::vector<double>& v, std
     double mean = 0, square = 0;
     for (std::size_t i = 0; i < logs.size(); ++i) {
       const double x = std::clamp(logs[i], -limit, limit);
-      gains[static_cast<std::size_t>(at[i])] = x;
+      gains[at[i]] = x;
       mean += x / static_cast<double>(logs.size()), square += x * x / static_cast<double>(logs.size());
     }
     const double spread = logs.size() < 8 ? 0 : square - mean * mean - trigamma(std::max(1.0, effective) / 2);
@@ -113,7 +108,7 @@ void learn_slots(const CycleBlock& whitened, int L, DieselPoint& point) {
   for (int l = 0; l < L; ++l)
     for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
       double sum = 0;
-      for (int q = edges[b]; q < edges[b + 1]; ++q) sum += v[static_cast<std::size_t>(l * frames.M + q)];
+      for (int q = edges[b]; q < edges[b + 1]; ++q) sum += v[l * frames.M + q];
       point.slot_variance.push_back(static_cast<float>(sum / (edges[b + 1] - edges[b])));
     }
   std::vector<double> s2;
@@ -122,8 +117,7 @@ void learn_slots(const CycleBlock& whitened, int L, DieselPoint& point) {
   double product = 0, mean_s2 = 0;
   int pairs = 0;
   for (int t = L; t < L * frames.cycles; ++t)
-    if (frames.usable(t) && frames.usable(t - 1))
-      product += gains[static_cast<std::size_t>(t)] * gains[static_cast<std::size_t>(t - 1)], ++pairs;
+    if (frames.usable(t) && frames.usable(t - 1)) product += gains[t] * gains[t - 1], ++pairs;
   for (const double s : s2) mean_s2 += s / L;
   point.slot_correlation = std::clamp(product / std::max(1, pairs) / std::max(mean_s2, 1e-3), 0.0, kMaxRho);
 }

@@ -1,4 +1,4 @@
-// The high layer: variance per slot and band, how it breathes from cycle to cycle, and grains (A8, A11).
+// The high layer: variance per slot and band, how it varies from cycle to cycle, and grains (A8, A11).
 #pragma once
 
 #include "diesel/section.hpp"

@@ -74,7 +74,7 @@ class NoteSynthesis {
   }
   void write(std::vector<double>& rows, const RowRange& range, std::size_t q, const Subband& d, double mean) {
     for (int i = range.from; i < range.to; ++i)
-      rows[static_cast<std::size_t>(i * c_.shape.P) + q] = mean + d[static_cast<std::size_t>(i - range.from)];
+      rows[static_cast<std::size_t>(i * c_.shape.P) + q] = mean + d[i - range.from];
   }
 
   void replace_channel(std::size_t q) {
@@ -88,13 +88,13 @@ class NoteSynthesis {
     std::vector<Subband> details;
     std::vector<double> variance;
     for (int n = 1; n <= N; ++n) {
-      details.push_back(read(c_.d[static_cast<std::size_t>(n - 1)], steady_rows(n, first_, last_), q));
+      details.push_back(read(c_.d[n - 1], steady_rows(n, first_, last_), q));
       variance.push_back(power_of(details.back()));
     }
     double slow_variance = power_of(slow);
     if (settings_.one_over_f) {
       const OneOverF law = fit_one_over_f(variance);
-      for (int n = 1; n <= N; ++n) variance[static_cast<std::size_t>(n - 1)] = law.variance(n);
+      for (int n = 1; n <= N; ++n) variance[n - 1] = law.variance(n);
       slow_variance = law.variance(N + 1);
     }
     for (int n = settings_.waveforms > 0 ? 2 : 1; n <= N; ++n) {
@@ -137,6 +137,76 @@ std::vector<float> back_in_time(const std::vector<double>& y, const NotePitch& p
   return {x.begin(), x.end()};
 }
 
+/// The note over the phase of its fundamental: P samples a period from `origin` on.
+struct AngleNote {
+  double origin = 0;
+  std::vector<double> y;
+};
+
+AngleNote over_phase(const std::vector<double>& x, const NotePitch& pitch, int P) {
+  AngleNote note;
+  note.origin = std::ceil(pitch.theta.front());
+  const auto count = static_cast<std::size_t>((pitch.theta.back() - note.origin) * P);
+  Sinc sinc;
+  sinc.bandwidth *= std::min(1.0, P * pitch.f0 / kAnalysisRate);
+  note.y = interpolated(x, samples_at_angles(pitch.theta, note.origin, P, count), sinc);
+  return note;
+}
+
+/// What is modelled of a note: frames first ... last - 1, and the samples that all scales reproduce.
+struct SteadyPart {
+  int first = 0, last = 0;
+  std::size_t from = 0, to = 0;
+};
+
+SteadyPart steady_part(const std::string& source, const NotePitch& pitch, double origin, int P, int N) {
+  SteadyPart part;
+  // Frame r covers the periods r - 1 and r.
+  part.first = static_cast<int>(std::ceil(pitch.theta[pitch.from] - origin)) + 1;
+  part.last = static_cast<int>(std::floor(pitch.theta[pitch.to - 1] - origin));
+  const RowRange coarsest = steady_rows(N, part.first, part.last);
+  if (coarsest.count() < 2)
+    throw InputError(source, "is steady for too few periods, expected " + std::to_string(10 << N));
+  part.from = static_cast<std::size_t>(coarsest.from << N) * static_cast<std::size_t>(P);
+  part.to = static_cast<std::size_t>(coarsest.to << N) * static_cast<std::size_t>(P);
+  return part;
+}
+
+/// The note with its steady part resynthesised; counts the parameters of that part.
+std::vector<double> synthesised(const AngleNote& note, const SteadyPart& part, int P,
+                                const NoteSettings& settings, std::size_t& parameters) {
+  NoteSynthesis synthesis(settings, hbwt(note.y, {P, 1, settings.N}), part.first, part.last);
+  const std::vector<double> first_subband =
+      settings.waveforms > 0 ? synthesis.first_subband() : std::vector<double>();
+  synthesis.replace();
+  if (settings.waveforms > 0) synthesis.silence_first_subband();
+  std::vector<double> sound = synthesis.sound();
+  parameters = synthesis.parameters();
+  if (settings.waveforms > 0) {
+    const ElementaryWaveforms waveforms(first_subband, part.from, part.to, P, settings.waveforms);
+    waveforms.play(settings.seed, sound);
+    parameters += waveforms.parameters();
+  }
+  return sound;
+}
+
+/// Sizes of the model, and its spectrum error over the steady part.
+void set_figures(const std::vector<double>& sound, const std::vector<double>& y, const SteadyPart& part,
+                 NoteModel& model) {
+  const std::size_t modelled = part.to - part.from;
+  const auto parameters = static_cast<double>(model.parameters);
+  model.periods = static_cast<int>(modelled / static_cast<std::size_t>(model.P));
+  model.ratio = static_cast<double>(modelled) / parameters;
+  model.whole_ratio = static_cast<double>(y.size()) / (parameters + static_cast<double>(y.size() - modelled));
+  const auto steady = [&part](const std::vector<double>& x) {
+    return std::vector<double>(x.begin() + static_cast<std::ptrdiff_t>(part.from),
+                               x.begin() + static_cast<std::ptrdiff_t>(part.to));
+  };
+  const HarmonicError error = harmonic_error(
+      steady(sound), steady(y), model.P, std::min(model.P / 2 - 1, static_cast<int>(kHighest_hz / model.f0)));
+  model.at_db = error.at_db, model.near_db = error.near_db, model.between_db = error.between_db;
+}
+
 }  // namespace
 
 NoteModel model_note(const std::string& source, const std::vector<float>& mono, const NoteSettings& wanted) {
@@ -150,46 +220,11 @@ NoteModel model_note(const std::string& source, const std::vector<float>& mono, 
   model.steady_from_s = static_cast<double>(pitch.from) / kAnalysisRate;
   model.steady_to_s = static_cast<double>(pitch.to) / kAnalysisRate;
 
-  const double origin = std::ceil(pitch.theta.front());
-  const auto count = static_cast<std::size_t>((pitch.theta.back() - origin) * model.P);
-  Sinc sinc;
-  sinc.bandwidth *= std::min(1.0, model.P * pitch.f0 / kAnalysisRate);
-  const std::vector<double> y = interpolated(x, samples_at_angles(pitch.theta, origin, model.P, count), sinc);
-
-  // Frame r covers the periods r - 1 and r.
-  const int first = static_cast<int>(std::ceil(pitch.theta[pitch.from] - origin)) + 1;
-  const int last = static_cast<int>(std::floor(pitch.theta[pitch.to - 1] - origin));
-  const RowRange coarsest = steady_rows(settings.N, first, last);
-  if (coarsest.count() < 2)
-    throw InputError(source, "is steady for too few periods, expected " + std::to_string(10 << settings.N));
-
-  NoteSynthesis note(settings, hbwt(y, {model.P, 1, settings.N}), first, last);
-  const std::vector<double> first_subband =
-      settings.waveforms > 0 ? note.first_subband() : std::vector<double>();
-  note.replace();
-  if (settings.waveforms > 0) note.silence_first_subband();
-  std::vector<double> synthesised = note.sound();
-  model.parameters = note.parameters();
-  const std::size_t from =
-      static_cast<std::size_t>(coarsest.from << settings.N) * static_cast<std::size_t>(model.P);
-  const std::size_t to =
-      static_cast<std::size_t>(coarsest.to << settings.N) * static_cast<std::size_t>(model.P);
-  if (settings.waveforms > 0) {
-    const ElementaryWaveforms waveforms(first_subband, from, to, model.P, settings.waveforms);
-    waveforms.play(settings.seed, synthesised);
-    model.parameters += waveforms.parameters();
-  }
-  model.periods = static_cast<int>((to - from) / static_cast<std::size_t>(model.P));
-  model.ratio = static_cast<double>(to - from) / static_cast<double>(model.parameters);
-  model.whole_ratio = static_cast<double>(y.size()) /
-                      (static_cast<double>(model.parameters) + static_cast<double>(y.size() - (to - from)));
-  const HarmonicError error = harmonic_error(
-      {synthesised.begin() + static_cast<std::ptrdiff_t>(from),
-       synthesised.begin() + static_cast<std::ptrdiff_t>(to)},
-      {y.begin() + static_cast<std::ptrdiff_t>(from), y.begin() + static_cast<std::ptrdiff_t>(to)}, model.P,
-      std::min(model.P / 2 - 1, static_cast<int>(kHighest_hz / pitch.f0)));
-  model.at_db = error.at_db, model.near_db = error.near_db, model.between_db = error.between_db;
-  model.sound = back_in_time(synthesised, pitch, origin, model.P);
+  const AngleNote note = over_phase(x, pitch, model.P);
+  const SteadyPart part = steady_part(source, pitch, note.origin, model.P, settings.N);
+  const std::vector<double> sound = synthesised(note, part, model.P, settings, model.parameters);
+  set_figures(sound, note.y, part, model);
+  model.sound = back_in_time(sound, pitch, note.origin, model.P);
   return model;
 }
 

@@ -126,7 +126,7 @@ NotePitch pitch_of(const std::string& source, const std::vector<double>& x) {
     const auto at = static_cast<std::ptrdiff_t>(n) - static_cast<std::ptrdiff_t>(pitch.from);
     const auto inside =
         std::clamp(at, static_cast<std::ptrdiff_t>(edge), static_cast<std::ptrdiff_t>(phase.size() - edge));
-    pitch.theta[n] = step * static_cast<double>(at) + phase[static_cast<std::size_t>(inside)];
+    pitch.theta[n] = step * static_cast<double>(at) + phase[inside];
   }
   return pitch;
 }

@@ -59,20 +59,20 @@ std::vector<float> whitened(const std::vector<float>& x) {
 
 std::string envelope_panel(const ChainResult& segment) {
   const double period = median_gap(segment.clicks.P);
-  const Course heard = in_decibels(mean_course(segment.clicks.P, segment.drilling)),
+  const Course recorded = in_decibels(mean_course(segment.clicks.P, segment.drilling)),
                white = in_decibels(mean_course(segment.clicks.P, whitened(segment.drilling))),
                fit = in_decibels(fitted_course(segment.clicks.envelope, period, white.size()));
   Course ms;
   for (std::size_t b = 0; b < fit.size(); ++b)
     ms.push_back(1e3 * (static_cast<double>(b) + 0.5) * kEnvelopeBlock / kAnalysisRate);
   double top = 0, low = 0;
-  for (const Course* course : {&heard, &white, &fit}) {
+  for (const Course* course : {&recorded, &white, &fit}) {
     top = std::max(top, *std::max_element(course->begin(), course->end()) + 2);
     low = std::min(low, *std::min_element(course->begin(), course->end()) - 2);
   }
   Plot plot("Envelope", linear_axis("ms after the onset", 0, 1e3 * period / kAnalysisRate),
             linear_axis("dB re the mean", std::max(low, top - kEnvelopeRangeDb), top), kThird);
-  plot.line(ms, heard, "second");
+  plot.line(ms, recorded, "second");
   plot.line(ms, white, "first");
   plot.line(ms, fit, "third");
   plot.legend("drilling", "second");

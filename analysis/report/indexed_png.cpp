@@ -17,7 +17,7 @@ std::vector<unsigned char> png_bytes(const std::vector<std::uint8_t>& pixels, in
   image.format = PNG_FORMAT_RGB_COLORMAP;
   image.colormap_entries = static_cast<png_uint_32>(palette.size());
   const auto check = [&image](int written) {
-    if (!written) throw std::runtime_error(std::string("a picture cannot be packed: ") + image.message);
+    if (!written) throw std::runtime_error(std::string("an image cannot be packed: ") + image.message);
   };
   png_alloc_size_t size = 0;
   check(png_image_write_to_memory(&image, nullptr, &size, 0, pixels.data(), 0, palette.data()));

@@ -1,4 +1,4 @@
-// A picture of 16 colours as a PNG in a data URI.
+// An image of 16 colours as a PNG in a data URI.
 #pragma once
 
 #include <array>

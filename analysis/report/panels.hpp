@@ -22,7 +22,7 @@ struct ShownSegment {
 /// On one axis of time, at most two seconds: spectrograms of the recording, of what was taken away and of
 /// what is left; below them the waveform before and after with a line at every detected click.
 std::string time_panels(const ShownSegment& segment);
-/// Mean level after a click, as recorded and whitened as the fit heard it, against the fitted envelope.
+/// Mean level after a click, as recorded and as whitened for the fit, against the fitted envelope.
 std::string envelope_panel(const ChainResult& segment);
 /// Every click of the bank.
 std::string click_panels(const ClickBank& bank);

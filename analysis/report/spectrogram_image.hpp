@@ -1,4 +1,4 @@
-// A spectrogram as a picture, frequency on a log scale.
+// A spectrogram as an image, frequency on a log scale.
 #pragma once
 
 #include <string>
@@ -29,7 +29,7 @@ constexpr std::array<Colour, 16> kSpectrogramPalette = {{{0, 0, 4},
                                                          {251, 175, 40},
                                                          {252, 246, 164}}};
 
-/// Loudest band power of any column, for use as `reference` of pictures that are compared. Thread: OFF.
+/// Loudest band power of any column, for use as `reference` of images that are compared. Thread: OFF.
 double spectrogram_peak(const std::vector<float>& x);
 
 /// PNG data URI; kSpectrogramRangeDb over the palette, its last colour at `reference`. Thread: OFF.

@@ -7,9 +7,9 @@
 
 namespace rigsound::analysis {
 
-/// How the engine turns. One cycle is 720 degrees of crank angle.
+/// Speed of the diesel. One cycle is 720 degrees of crank angle.
 struct BackgroundScene {
-  std::vector<double> cycles_hz;  ///< cycles a second at every sample: r/min divided by 120
+  std::vector<double> cycles_hz;  ///< cycles a second at every sample: cycles_per_second() of its r/min
 
   /// A wandering speed, 12-18 cycles/s, drawn from `stream`.
   static BackgroundScene drawn(double seconds, SplitMix& stream);
@@ -17,7 +17,7 @@ struct BackgroundScene {
   static BackgroundScene ramp(double seconds, double rpm_start, double rpm_end);
 };
 
-/// RMS 1. `structure` draws the engine (phases, order levels, filters), `noise` the samples of the noises.
+/// RMS 1. `structure` draws the diesel (phases, order levels, filters), `noise` the samples of the noises.
 std::vector<double> background_noise(const BackgroundScene& scene, SplitMix& structure, SplitMix& noise);
 
 }  // namespace rigsound::analysis

@@ -48,12 +48,12 @@ std::vector<SimulatedClick> draw_clicks(const ClickProcess& process, double seco
   const std::vector<double> miss = stream.uniforms(n), twice = stream.uniforms(n),
                             rebound = stream.uniforms(2 * n), second = stream.uniforms(n);
   const double T0 = process.T0();
-  std::vector<SimulatedClick> strikes, doubles, bounces;
+  std::vector<SimulatedClick> impacts, doubles, bounces;
   for (std::size_t k = 0; k < n; ++k) {
     if (miss[k] < process.miss) continue;
     const int P = onsets[k];
     const double beta = amplitudes[k];
-    strikes.push_back({P, beta, ClickKind::kStrike});
+    impacts.push_back({P, beta, ClickKind::kImpact});
     if (twice[k] < process.twice)
       doubles.push_back({P + static_cast<int>(T0 * (0.35 + 0.15 * second[k])), beta * (0.6 + 0.3 * second[k]),
                          ClickKind::kDouble});
@@ -63,7 +63,7 @@ std::vector<SimulatedClick> draw_clicks(const ClickProcess& process, double seco
            beta * (b->strength_low + (b->strength_high - b->strength_low) * rebound[2 * k + 1]),
            ClickKind::kBounce});
   }
-  std::vector<SimulatedClick> all = strikes;
+  std::vector<SimulatedClick> all = impacts;
   all.insert(all.end(), doubles.begin(), doubles.end());
   all.insert(all.end(), bounces.begin(), bounces.end());
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.P < b.P; });

@@ -1,4 +1,4 @@
-// What one simulated strike sounds like: an enveloped burst of noise or a ringing of 48 modes, coloured.
+// What one simulated impact sounds like: an enveloped burst of noise or a ringing of 48 modes, coloured.
 #pragma once
 
 #include <cstdint>

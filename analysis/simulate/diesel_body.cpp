@@ -5,7 +5,6 @@
 
 #include "rigsound/analysis/rate.hpp"
 #include "simulate/biquad_cascade.hpp"
-#include "simulate/diesel_recording.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -15,7 +14,7 @@ struct Resonance {
 };
 
 constexpr double kDirect = 0.06;
-constexpr double kDcPole = 0.995;  // microphones do not hear the weather
+constexpr double kDcPole = 0.995;  // microphones have no response at DC
 constexpr Resonance kResonances[] = {{62, 6, 1.0},     {118, 7, 0.9},    {185, 8, 0.9},    {310, 9, 0.6},
                                      {455, 10, 0.55},  {690, 12, 0.45},  {980, 12, 0.5},   {1430, 14, 0.4},
                                      {2050, 16, 0.45}, {2900, 16, 0.35}, {4300, 14, 0.25}, {6100, 12, 0.15}};

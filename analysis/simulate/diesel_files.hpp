@@ -11,7 +11,7 @@ namespace rigsound::analysis {
 
 struct DieselFilesOptions {
   std::uint64_t seed = 1;
-  /// Slow enough that 20 cycles and more lie within each 12 % of speed, which is what a learner asks for.
+  /// Slow enough that 20 cycles and more lie within each 12 % of speed, which is what learn_diesel needs.
   double sweep_s = 75;
   double idle_s = 20;
 };

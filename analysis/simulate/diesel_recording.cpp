@@ -95,8 +95,7 @@ Combustion combustion(const DieselRun& run, const Machine& machine, const Signal
   for (long k = first; k < last; ++k) {
     const auto cylinder = static_cast<std::size_t>((k % kCylinders + kCylinders) % kCylinders);
     const double strength = (0.4 + 1.2 * run.load) * machine.strength[cylinder] *
-                            (1 + 0.04 * hunting[static_cast<std::size_t>(k - first)]) *
-                            (1 + 0.06 * draw.normal());
+                            (1 + 0.04 * hunting[k - first]) * (1 + 0.06 * draw.normal());
     const double loud = (0.25 + 0.9 * run.load) * std::exp(0.4 * draw.normal());
     const double angle =
         static_cast<double>(k) / kCylinders + machine.timing[cylinder] + 0.4 * kDegree * draw.normal();
@@ -130,7 +129,7 @@ void add_ticks(const Machine& machine, const Signal& theta, SplitMix& draw, doub
     }
 }
 
-/// Lines locked to the crank whose levels breathe like 1/f.
+/// Lines locked to the crank whose levels vary like 1/f.
 void add_lines(const Signal& theta, SplitMix& draw, Signal& x) {
   struct Line {
     int order;

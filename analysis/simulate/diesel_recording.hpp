@@ -24,9 +24,6 @@ struct DieselRecording {
 /// crank, the body is fixed in Hz. Thread: OFF.
 DieselRecording simulate_diesel(const DieselRun& run);
 
-/// The body's true magnitude response, dB. Thread: OFF.
-double simulated_body_db(double f_hz);
-
 /// `seconds` at one speed, a straight ramp, and a glide that spends the same time in every octave. r/min at
 /// every sample. Thread: OFF.
 std::vector<double> steady_rpm(double rpm, double seconds);

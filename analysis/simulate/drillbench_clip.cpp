@@ -17,7 +17,7 @@ constexpr double kAttackBends[] = {0.0, 3.0, -2.0, 1.5};  // alpha_a N_a
 
 constexpr Bounce kEarlyBounce{0.05, 0.10, 0.3, 0.6}, kLateBounce{0.25, 0.40, 0.4, 0.7};
 
-/// The eight hard clips: what is wrong with the strikes of each.
+/// The eight hard clips: what is wrong with the impacts of each.
 void make_hard(int hard, ClickProcess& process) {
   const bool all = hard == 7;
   if (hard == 0 || hard == 4 || all) process.bounce = kEarlyBounce;

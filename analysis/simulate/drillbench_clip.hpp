@@ -15,14 +15,14 @@ struct DrillBenchClip {
 };
 
 /// True for the ids whose parameters exist: 0-31, 100-131, 200-231, ...; 24-31 of a hundred are the hard ones
-/// (bounces, missed and double strikes).
+/// (bounces, missed and double impacts).
 bool drillbench_id(int id);
 
-/// `rate_factor` plays the very same strikes closer together (> 1) or further apart, without touching their
+/// `rate_factor` plays the very same impacts closer together (> 1) or further apart, without touching their
 /// sound.
 DrillBenchClip drillbench_clip(int id, double seconds, double rate_factor = 1);
 
-/// The engine and hydraulics of clip `id`, RMS 1.
+/// The diesel and hydraulics of clip `id`, RMS 1.
 std::vector<double> drillbench_background(int id, double seconds);
 
 }  // namespace rigsound::analysis

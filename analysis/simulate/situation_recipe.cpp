@@ -24,7 +24,7 @@ SituationRecipe normal() {
           1900};
 }
 
-/// The bit hardly touches the rock: slow attack, scattered and missing strikes, dull.
+/// Weak contact of bit and rock: slow attack, scattered and missing impacts, dull.
 SituationRecipe underfeed() {
   ClickProcess p = process(.07, .35, .2);
   p.miss = .125;

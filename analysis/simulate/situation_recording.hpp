@@ -16,7 +16,7 @@ struct SimulatedPart {
 
 struct SituationRecording {
   Situation situation;
-  double rate_hz = 0;  ///< strikes a second
+  double rate_hz = 0;  ///< impacts a second
   double rpm = 0;      ///< r/min of the diesel in the middle of the recording
   ClickProcess process;
   ClickEnvelope envelope;
@@ -25,7 +25,7 @@ struct SituationRecording {
   std::vector<double> clean, background;  ///< 48 kHz, full scale = 1; the recording is their sum
 };
 
-/// The machine is always the same: colours, modes and engine orders do not depend on `seed`; strikes, noises
+/// The machine is always the same: colours, modes and diesel orders do not depend on `seed`; impacts, noises
 /// and the exact rate do. `seconds` >= 4. Thread: OFF.
 SituationRecording simulate_situation(Situation situation, std::uint64_t seed, double seconds);
 

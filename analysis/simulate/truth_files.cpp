@@ -6,7 +6,7 @@
 
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/file/atomic_file.hpp"
-#include "simulate/diesel_recording.hpp"
+#include "simulate/diesel_body.hpp"
 
 namespace rigsound::analysis {
 

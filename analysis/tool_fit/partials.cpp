@@ -7,21 +7,21 @@
 
 #include "numeric/quantile.hpp"
 #include "rigsound/analysis/rate.hpp"
-#include "tool_fit/blow.hpp"
+#include "tool_fit/impact_sound.hpp"
 
 namespace rigsound::analysis {
 namespace {
 
-constexpr std::size_t kSize = 1 << 16, kSkip = kBeforeBlow + 192, kMost = 24;
+constexpr std::size_t kSize = 1 << 16, kSkip = kBeforeImpact + 192, kMost = 24;
 constexpr double kLowest_hz = 60, kProminence_db = 9;
 
 /// dB per bin; a half-Gaussian window, so that a decaying partial has one peak and no side lobes.
-std::vector<double> spectrum_db(const std::vector<double>& blow) {
+std::vector<double> spectrum_db(const std::vector<double>& impact) {
   std::vector<double> x(kSize, 0.0);
-  const std::size_t length = std::min(kSize, blow.size() - kSkip);
+  const std::size_t length = std::min(kSize, impact.size() - kSkip);
   for (std::size_t i = 0; i < length; ++i) {
     const double t = static_cast<double>(i) / static_cast<double>(length);
-    x[i] = blow[kSkip + i] * std::exp(-8 * t * t);
+    x[i] = impact[kSkip + i] * std::exp(-8 * t * t);
   }
   std::vector<std::complex<double>> X;
   Eigen::FFT<double>().fwd(X, x);
@@ -39,9 +39,9 @@ double median_around(const std::vector<double>& level, std::size_t k) {
 
 }  // namespace
 
-std::vector<Partial> clear_partials(const std::vector<double>& blow, double highest_hz) {
-  if (blow.size() < kSkip + 1024) return {};
-  const std::vector<double> level = spectrum_db(blow);
+std::vector<Partial> clear_partials(const std::vector<double>& impact, double highest_hz) {
+  if (impact.size() < kSkip + 1024) return {};
+  const std::vector<double> level = spectrum_db(impact);
   const double hz_a_bin = kAnalysisRate / kSize;
   std::vector<Partial> partials;
   const auto end = std::min(level.size() - 2, static_cast<std::size_t>(highest_hz / hz_a_bin));

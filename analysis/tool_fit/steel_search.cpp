@@ -25,7 +25,7 @@ class Search {
   Search(const std::vector<Partial>& partials, double highest_hz)
       : partials_(partials), highest_hz_(highest_hz) {}
 
-  /// How much better the partials fit the bar than they would by chance. Every mode makes chance hits
+  /// How much better the partials fit the bar than they would by chance. Every mode makes a match by chance
   /// likelier.
   double score(const Bar& bar) const {
     const std::vector<double> modes = modes_below(bar, highest_hz_);

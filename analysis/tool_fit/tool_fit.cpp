@@ -8,19 +8,18 @@
 #include "numeric/nelder_mead.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/machine/input_error.hpp"
-#include "tool_fit/band_picture.hpp"
-#include "tool_fit/blow.hpp"
+#include "tool_fit/band_analyser.hpp"
 #include "tool_fit/equaliser_fit.hpp"
+#include "tool_fit/impact_sound.hpp"
 #include "tool_fit/partials.hpp"
 #include "tool_fit/steel_search.hpp"
-#include "tool_fit/trial_tool.hpp"
 
 namespace rigsound::analysis {
 namespace {
 
 constexpr double kAudible_db = 40;  // bands this far below the loudest do not count
 constexpr double kLevelWeight =
-    0.6;  // of the spectrum against the decays; the equaliser mends the spectrum later
+    0.6;  // of the spectrum against the decays; the equaliser corrects the spectrum later
 constexpr double kMostDifference_db = 20;
 
 /// What the search moves, and between which bounds.
@@ -84,17 +83,17 @@ void put_decays(const ToolModel& model, ToolDesign& design) {
 
 class Comparison {
  public:
-  Comparison(const Blow& blow, double highest_hz)
-      : samples_(blow.sound.size()), camera_(highest_hz), recorded_(camera_.picture(blow.sound)) {
+  Comparison(const RecordedImpact& impact, double highest_hz)
+      : samples_(impact.sound.size()), analyser_(highest_hz), recorded_(analyser_.analyse(impact.sound)) {
     const double loudest = *std::max_element(recorded_.level_db.begin(), recorded_.level_db.end());
     for (std::size_t b = 0; b < recorded_.level_db.size(); ++b)
       if (recorded_.level_db[b] > loudest - kAudible_db) used_.push_back(b);
   }
 
-  BandPicture picture(const ToolModel& model) { return camera_.picture(one_blow(model, samples_)); }
+  BandProfile profile(const ToolModel& model) { return analyser_.analyse(one_impact(model, samples_)); }
 
   /// Recorded minus model per used band, without its mean.
-  std::vector<double> level_difference(const BandPicture& model) const {
+  std::vector<double> level_difference(const BandProfile& model) const {
     std::vector<double> difference;
     for (const std::size_t b : used_) difference.push_back(recorded_.level_db[b] - model.level_db[b]);
     const double mean =
@@ -103,21 +102,21 @@ class Comparison {
     return difference;
   }
 
-  double cost(const BandPicture& model) const {
+  double cost(const BandProfile& model) const {
     double level = 0, decay = 0;
     for (const double d : level_difference(model)) level += std::min(kMostDifference_db, std::fabs(d));
     for (const std::size_t b : used_) decay += decay_difference(model, b);
     return (kLevelWeight * level + decay) / static_cast<double>(used_.size());
   }
 
-  const BandPicture& recorded() const { return recorded_; }
-  double centre_hz(std::size_t band) const { return camera_.centre_hz()[band]; }
+  const BandProfile& recorded() const { return recorded_; }
+  double centre_hz(std::size_t band) const { return analyser_.centre_hz()[band]; }
   const std::vector<std::size_t>& used() const { return used_; }
 
  private:
   /// Mean |difference| of the two courses in one band, the model's moved to the recording's level and with
   /// the recording's own floor under it.
-  double decay_difference(const BandPicture& model, std::size_t b) const {
+  double decay_difference(const BandProfile& model, std::size_t b) const {
     const std::vector<double>& course = recorded_.decay_db[b];
     if (course.empty()) return 0;
     const double floor = std::pow(10, *std::min_element(course.begin(), course.end()) / 10);
@@ -131,8 +130,8 @@ class Comparison {
   }
 
   std::size_t samples_;
-  BandCamera camera_;
-  BandPicture recorded_;
+  BandAnalyser analyser_;
+  BandProfile recorded_;
   std::vector<std::size_t> used_;
 };
 
@@ -144,7 +143,7 @@ void fit_decays(Comparison& comparison, ToolModel& model) {
   const auto cost = [&](const std::vector<double>& u) {
     set(trial, u);
     put_decays(trial, trial.designs.front());
-    return comparison.cost(comparison.picture(trial));
+    return comparison.cost(comparison.profile(trial));
   };
   SimplexOptions options;
   std::vector<double> start;
@@ -190,19 +189,19 @@ void make_tunable(ToolModel& model) {
     }
 }
 
-/// As loud as a blow on the default steel, whatever the fit did to mix and equaliser.
+/// As loud as an impact on the default steel, whatever the fit did to mix and equaliser.
 void level_out(ToolModel& model, std::size_t samples) {
   const auto energy = [samples](const ToolModel& m) {
     double sum = 0;
-    for (const double x : one_blow(m, samples)) sum += x * x;
+    for (const double x : one_impact(m, samples)) sum += x * x;
     return sum;
   };
   model.voicing.level *= std::sqrt(energy(ToolModel{}) / energy(model));
 }
 
-void note_error(const Comparison& comparison, const BandPicture& model, ToolFit& fit) {
+void note_error(const Comparison& comparison, const BandProfile& model, ToolFit& fit) {
   const std::vector<double> difference = comparison.level_difference(model);
-  const BandPicture& recorded = comparison.recorded();
+  const BandProfile& recorded = comparison.recorded();
   const double loudest = *std::max_element(recorded.level_db.begin(), recorded.level_db.end());
   for (std::size_t i = 0; i < difference.size(); ++i) {
     const std::size_t b = comparison.used()[i];
@@ -213,9 +212,10 @@ void note_error(const Comparison& comparison, const BandPicture& model, ToolFit&
   }
 }
 
-Bar steel_of(const Blow& blow, const std::string& file, const Bar& given, double highest_hz, ToolFit& fit) {
+Bar steel_of(const RecordedImpact& impact, const std::string& file, const Bar& given, double highest_hz,
+             ToolFit& fit) {
   if (given.length_m > 0 && given.diameter_m > 0) return given;
-  const auto found = find_steel(clear_partials(blow.sound, highest_hz), given, highest_hz);
+  const auto found = find_steel(clear_partials(impact.sound, highest_hz), given, highest_hz);
   if (!found)
     throw InputError(file,
                      "the modes of the steel are not clear enough to tell its size, expected --length and "
@@ -228,24 +228,24 @@ Bar steel_of(const Blow& blow, const std::string& file, const Bar& given, double
 }  // namespace
 
 ToolFit fit_tool(const Recording& recording, const std::string& file, const ToolFitOptions& options) {
-  const auto blow = strongest_blow(recording.mono);
-  if (!blow)
-    throw InputError(file, "no blow stands out, expected the recorded sound of an impact on a steel");
+  const auto impact = strongest_impact(recording.mono);
+  if (!impact)
+    throw InputError(file, "no impact stands out, expected the recorded sound of an impact on a steel");
   const double highest_hz = std::min(18000.0, 0.45 * recording.source_rate);
   ToolFit fit;
-  fit.onset_s = static_cast<double>(blow->onset) / kAnalysisRate;
-  fit.length_s = static_cast<double>(blow->sound.size() - kBeforeBlow) / kAnalysisRate;
-  fit.model.bar = steel_of(*blow, file, {options.length_m, options.diameter_m}, highest_hz, fit);
+  fit.onset_s = static_cast<double>(impact->onset) / kAnalysisRate;
+  fit.length_s = static_cast<double>(impact->sound.size() - kBeforeImpact) / kAnalysisRate;
+  fit.model.bar = steel_of(*impact, file, {options.length_m, options.diameter_m}, highest_hz, fit);
   require_valid(fit.model, kAnalysisRate);
-  Comparison comparison(*blow, highest_hz);
+  Comparison comparison(*impact, highest_hz);
   fit_decays(comparison, fit.model);
   make_tunable(fit.model);
   std::vector<double> centres;
   for (const std::size_t b : comparison.used()) centres.push_back(comparison.centre_hz(b));
   fit.model.voicing.equaliser =
-      fit_bells(centres, comparison.level_difference(comparison.picture(fit.model)));
-  level_out(fit.model, blow->sound.size());
-  note_error(comparison, comparison.picture(fit.model), fit);
+      fit_bells(centres, comparison.level_difference(comparison.profile(fit.model)));
+  level_out(fit.model, impact->sound.size());
+  note_error(comparison, comparison.profile(fit.model), fit);
   return fit;
 }
 

@@ -75,7 +75,7 @@ std::vector<analysis::DieselTake> takes_of(const BackgroundOptions& o) {
       take.rpm_log = speed_log(nth(o.rpm_tracks, i, std::string()), take.mono.size());
     take.load = nth(o.load, i, 0.0);
     if (!o.clicks.empty())
-      take.blows_s = analysis::read_time_table(nth(o.clicks, i, std::string()), "amplitude").time_s;
+      take.impacts_s = analysis::read_time_table(nth(o.clicks, i, std::string()), "amplitude").time_s;
     takes.push_back(std::move(take));
   }
   return takes;

@@ -26,7 +26,7 @@ DieselTake hammered(DieselTake take, double db) {
   SplitMix draw(9);
   std::vector<float> blows(take.mono.size(), 0.0F);
   for (double t = 0.01; t < kSeconds - 0.1; t += (1 + 0.03 * draw.normal()) / kBlowRate_hz) {
-    take.blows_s.push_back(t);
+    take.impacts_s.push_back(t);
     const auto start = static_cast<std::size_t>(std::ceil(t * kAnalysisRate));
     for (std::size_t n = start; n < blows.size() && n < start + 4800; ++n)
       blows[n] += static_cast<float>(draw.normal() *
@@ -55,7 +55,7 @@ void blow_rows(Table& table) {
                 "dB");
   table.at_most("learned under blows 6 dB louder", 5.5, learned_error(clean, hammered(clean, 6)), "dB");
   DieselTake deaf = hammered(clean, 0);
-  deaf.blows_s.clear();
+  deaf.impacts_s.clear();
   table.note("  the blows listened to, equal level", learned_error(clean, deaf), "dB");
 }
 

@@ -9,7 +9,7 @@
 
 namespace rigsound::analysis {
 
-/// What people and the lint want to know about a bank.
+/// Figures of a bank, for its report and the lint.
 struct BankFigures {
   int clicks_found = 0;
   int segments = 0, segments_drilling = 0;

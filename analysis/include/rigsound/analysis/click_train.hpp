@@ -14,7 +14,7 @@ struct ClickEnvelope {
 
 struct ClickTrain {
   std::vector<int> P;        ///< onsets, samples, ascending
-  std::vector<double> beta;  ///< amplitude of each click as heard through the whitening, scaled so that
+  std::vector<double> beta;  ///< amplitude of each click in the whitened signal, scaled so that
                              ///< the train's energy is the drilling's (full scale 1); same length as P
   ClickEnvelope envelope;
   double mean_gap_samples = 0;  ///< period the detector settled on, samples

@@ -1,4 +1,4 @@
-// Learning the background of a rig from recordings of its engine.
+// Learning the diesel of a rig from recordings of it.
 #pragma once
 
 #include <string>
@@ -8,16 +8,16 @@
 
 namespace rigsound::analysis {
 
-/// One recording of the engine: at one speed, or with its logged speed.
+/// One recording of the diesel: at one speed, or with its logged speed.
 struct DieselTake {
-  std::string source;           ///< for messages
-  std::vector<float> mono;      ///< kAnalysisRate
-  int source_rate = 48000;      ///< Hz, of the file: nothing is learned above its Nyquist frequency
-  double clipped = 0;           ///< share of its samples on flat tops, 0...1
-  double rpm = 0;               ///< r/min within 3 %, when there is no log
-  std::vector<double> rpm_log;  ///< r/min at every sample; empty: steady
-  double load = 0;              ///< 0...1
-  std::vector<double> blows_s;  ///< times of hammer blows in it, s, ascending; empty: clean
+  std::string source;             ///< for messages
+  std::vector<float> mono;        ///< kAnalysisRate
+  int source_rate = 48000;        ///< Hz, of the file: nothing is learned above its Nyquist frequency
+  double clipped = 0;             ///< share of its samples on flat tops, 0...1
+  double rpm = 0;                 ///< r/min within 3 %, when there is no log
+  std::vector<double> rpm_log;    ///< r/min at every sample; empty: steady
+  double load = 0;                ///< 0...1
+  std::vector<double> impacts_s;  ///< times of hammer impacts in it, s, ascending; empty: clean
 };
 
 struct DieselSettings {
@@ -27,7 +27,7 @@ struct DieselSettings {
   int grains = 0;           ///< cycles kept per point for the high layer, 0: slots; clean recordings only
 };
 
-/// What was heard of one point.
+/// What was measured at one point.
 struct LearnedPoint {
   std::string source;
   double rpm = 0, load = 0, seconds = 0;
@@ -42,7 +42,7 @@ struct LearnedDiesel {
   std::vector<std::string> warnings;  ///< one line each
 };
 
-/// Tracks the crank, splits run-ups into points, joins everything in the order domain (background.md A1-A11).
+/// Tracks the crank, splits run-ups into points, joins everything in the order domain (README, A1-A11).
 /// Errors: InputError naming the take: fewer than 20 cycles, speed off by more than 3 %, no periodicity.
 /// Thread: OFF.
 LearnedDiesel learn_diesel(const std::vector<DieselTake>& takes, const DieselSettings& settings);

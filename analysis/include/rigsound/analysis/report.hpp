@@ -1,4 +1,4 @@
-// One page that shows what the analysis heard and what the banks will play.
+// One page that shows what was analysed and what the banks will play.
 #pragma once
 
 #include <filesystem>

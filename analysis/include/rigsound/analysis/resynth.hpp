@@ -11,12 +11,12 @@ namespace rigsound::analysis {
 
 struct ResynthImpact {
   double time = 0;       ///< samples at the bank's rate, not rounded
-  double amplitude = 1;  ///< relative to the mean blow
+  double amplitude = 1;  ///< relative to the mean impact
 };
 
 struct Resynthesis {
   std::vector<float> sound;            ///< at the bank's rate, full scale 1
-  std::vector<ResynthImpact> impacts;  ///< the blows in it
+  std::vector<ResynthImpact> impacts;  ///< the impacts in it
 };
 
 /// `seconds` of the bank under the paper's six controls: the same samples the engine plays live with that

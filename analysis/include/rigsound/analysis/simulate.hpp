@@ -20,7 +20,7 @@ struct DrillBenchRequest {
   std::vector<int> ids;
   std::vector<std::string> snr_db;  ///< as written: they name the files
   double seconds = 2;
-  double rate_factor = 1;  ///< strikes this much closer together
+  double rate_factor = 1;  ///< impacts this much closer together
 };
 
 /// Writes cNNN_clean.wav, cNNN_bg.wav, cNNN_SNR.wav and cNNN_truth.csv for every id. Returns one line per

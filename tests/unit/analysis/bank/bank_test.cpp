@@ -6,7 +6,6 @@
 
 #include "bank/click_masks.hpp"
 #include "bank/equaliser.hpp"
-#include "bank/minimum_phase.hpp"
 #include "bank/statistics.hpp"
 #include "bank/third_octave.hpp"
 #include "chain/segments.hpp"

@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-#include "denoise/divergence.hpp"
+#include "spectrum/power_spectrogram.hpp"
 
 using namespace rigsound::analysis;
 

@@ -2,7 +2,6 @@
 
 #include "analysis/noise.hpp"
 #include "denoise/cs_nmf.hpp"
-#include "denoise/divergence.hpp"
 #include "denoise/factors.hpp"
 #include "denoise/initial_nmf.hpp"
 #include "kernels/is_kernels.hpp"

@@ -21,22 +21,22 @@ constexpr int kAngles = 2048;
 
 enum class Tones { kNone, kOdd, kSteady, kBoth };
 
-DieselRecording engine_with(Tones tones, double rpm, unsigned seed = 1) {
+DieselRecording diesel_with(Tones tones, double rpm, unsigned seed = 1) {
   DieselRun run;
   run.rpm = steady_rpm(rpm, kSeconds), run.seed = seed;
-  DieselRecording engine = simulate_diesel(run);
+  DieselRecording diesel = simulate_diesel(run);
   const double order = tones == Tones::kOdd || tones == Tones::kBoth ? kLevel : 0;
   const double fixed = tones == Tones::kSteady || tones == Tones::kBoth ? kLevel : 0;
-  for (std::size_t n = 0; n < engine.sound.size(); ++n)
-    engine.sound[n] += order * std::cos(2 * M_PI * kOrder * engine.theta[n]) +
+  for (std::size_t n = 0; n < diesel.sound.size(); ++n)
+    diesel.sound[n] += order * std::cos(2 * M_PI * kOrder * diesel.theta[n]) +
                        fixed * std::cos(2 * M_PI * kFixed_hz * static_cast<double>(n) / kAnalysisRate);
-  return engine;
+  return diesel;
 }
 
-/// The section of an engine whose crank is known, its mean cycle taken off.
+/// The section of a diesel whose crank is known, its mean cycle taken off.
 Section residual_of(const DieselRecording& engine) {
   Section s;
-  s.x = engine.sound, s.theta = engine.theta;
+  s.x = diesel.sound, s.theta = diesel.theta;
   const CycleBlock block = cycles_of(s, s.x, 0, kAngles);
   const std::vector<double> cycle = mean_cycle(block, 0, block.cycles);
   for (std::size_t n = 0; n < s.x.size(); ++n) {
@@ -49,10 +49,10 @@ Section residual_of(const DieselRecording& engine) {
 }
 
 std::vector<DieselOscillator> tones_of(const std::vector<Section>& sections) {
-  std::vector<Unrepeated> heard;
-  for (const Section& s : sections) heard.push_back({&s, &s.x});
+  std::vector<SectionResidual> residuals;
+  for (const Section& s : sections) residuals.push_back({&s, &s.x});
   std::vector<DieselOscillator> tones;
-  for (const FreeLine& line : free_lines(heard, kAngles)) tones.push_back(line.tone);
+  for (const FreeLine& line : free_lines(residuals, kAngles)) tones.push_back(line.tone);
   return tones;
 }
 
@@ -69,7 +69,7 @@ void check_both(const std::vector<DieselOscillator>& tones) {
 }
 
 /// Amplitude of the odd order over all of the section.
-double heard_at_order(const Section& s, const std::vector<double>& x) {
+double amplitude_at_order(const Section& s, const std::vector<double>& x) {
   std::complex<double> sum = 0;
   for (std::size_t n = 0; n < x.size(); ++n) sum += x[n] * std::polar(1.0, -2 * M_PI * kOrder * s.theta[n]);
   return 2 * std::abs(sum) / static_cast<double>(x.size());
@@ -78,36 +78,36 @@ double heard_at_order(const Section& s, const std::vector<double>& x) {
 }  // namespace
 
 TEST_CASE("a tone at an odd order and one at a fixed pitch are told apart at one speed and at two") {
-  const Section slow = residual_of(engine_with(Tones::kBoth, 900)),
-                fast = residual_of(engine_with(Tones::kBoth, 1310));
+  const Section slow = residual_of(diesel_with(Tones::kBoth, 900)),
+                fast = residual_of(diesel_with(Tones::kBoth, 1310));
   check_both(tones_of({slow}));
   check_both(tones_of({slow, fast}));
 }
 
 TEST_CASE("a line that only one of two speeds has stays in the noise") {
-  const Section with = residual_of(engine_with(Tones::kOdd, 900)),
-                without = residual_of(engine_with(Tones::kNone, 1310));
+  const Section with = residual_of(diesel_with(Tones::kOdd, 900)),
+                without = residual_of(diesel_with(Tones::kNone, 1310));
   CHECK(tones_of({with}).size() == 1);
   CHECK(tones_of({with, without}).empty());
 }
 
-TEST_CASE("an engine alone has no free lines") {
+TEST_CASE("a diesel alone has no free lines") {
   for (const double rpm : {900.0, 1700.0}) {
     CAPTURE(rpm);
-    CHECK(tones_of({residual_of(engine_with(Tones::kNone, rpm, 3))}).empty());
+    CHECK(tones_of({residual_of(diesel_with(Tones::kNone, rpm, 3))}).empty());
   }
 }
 
 TEST_CASE("a line is taken off by more than 15 dB") {
-  const Section s = residual_of(engine_with(Tones::kOdd, 900));
-  const std::vector<double> left = without_line(s, s.x, kOrder, true);
-  CHECK(heard_at_order(s, left) < heard_at_order(s, s.x) * std::pow(10, -15.0 / 20));
+  const Section s = residual_of(diesel_with(Tones::kOdd, 900));
+  const std::vector<double> left = without_line(s, s.x, kOrder, Lock::kCrank);
+  CHECK(amplitude_at_order(s, left) < amplitude_at_order(s, s.x) * std::pow(10, -15.0 / 20));
 }
 
-TEST_CASE("learning an engine with a fixed tone beside it gives the model that tone") {
-  const DieselRecording engine = engine_with(Tones::kSteady, 900);
+TEST_CASE("learning a diesel with a fixed tone beside it gives the model that tone") {
+  const DieselRecording diesel = diesel_with(Tones::kSteady, 900);
   DieselTake take;
-  take.source = "take.wav", take.mono.assign(engine.sound.begin(), engine.sound.end()), take.rpm = 900;
+  take.source = "take.wav", take.mono.assign(diesel.sound.begin(), diesel.sound.end()), take.rpm = 900;
   DieselSettings settings;
   settings.name = "engine";
   const DieselModel model = learn_diesel({take}, settings).model;

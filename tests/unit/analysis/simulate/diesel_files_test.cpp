@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "rigsound/analysis/time_table.hpp"
+#include "simulate/diesel_body.hpp"
 #include "simulate/diesel_files.hpp"
 #include "simulate/diesel_recording.hpp"
 #include "temporary_folder.hpp"

@@ -71,7 +71,7 @@ TEST_CASE("hard clips hold what their name says") {
     return n;
   };
   CHECK(count(100, ClickKind::kBounce) == 0);
-  CHECK(count(124, ClickKind::kBounce) == count(124, ClickKind::kStrike));
+  CHECK(count(124, ClickKind::kBounce) == count(124, ClickKind::kImpact));
   CHECK(count(127, ClickKind::kDouble) > 0);
 }
 

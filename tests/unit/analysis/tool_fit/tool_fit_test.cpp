@@ -1,4 +1,4 @@
-// A blow on a known steel: are its size, its decays and its spectrum found again?
+// An impact on a known steel: are its size, its decays and its spectrum found again?
 #include "rigsound/analysis/tool_fit.hpp"
 
 #include <doctest/doctest.h>
@@ -9,24 +9,24 @@
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/dsp/random.hpp"
 #include "rigsound/machine/input_error.hpp"
-#include "tool_fit/trial_tool.hpp"
+#include "tool_fit/impact_sound.hpp"
 
 using namespace rigsound;
 using namespace rigsound::analysis;
 
 namespace {
 
-/// A fifth of a second of noise 60 dB below the peak, then the blow in it.
+/// A fifth of a second of noise 60 dB below the peak, then the impact in it.
 Recording recorded(const ToolModel& model) {
   Recording recording;
   recording.source_rate = static_cast<int>(kAnalysisRate);
   const dsp::RandomField random(4, 4);
-  const auto blow = one_blow(model, static_cast<std::size_t>(0.3 * kAnalysisRate));
+  const auto impact = one_impact(model, static_cast<std::size_t>(0.3 * kAnalysisRate));
   double peak = 0;
-  for (const double x : blow) peak = std::max(peak, std::fabs(x));
+  for (const double x : impact) peak = std::max(peak, std::fabs(x));
   const auto before = static_cast<std::size_t>(0.2 * kAnalysisRate);
-  for (std::size_t n = 0; n < before + blow.size(); ++n) {
-    const double sound = n < before ? 0 : blow[n - before] / peak;
+  for (std::size_t n = 0; n < before + impact.size(); ++n) {
+    const double sound = n < before ? 0 : impact[n - before] / peak;
     recording.mono.push_back(static_cast<float>(0.5 * (sound + 0.0003 * random.normal(n, 0))));
   }
   return recording;
@@ -34,13 +34,13 @@ Recording recorded(const ToolModel& model) {
 
 }  // namespace
 
-TEST_CASE("length, diameter, decays and spectrum of a known steel are found in its recorded blow") {
+TEST_CASE("length, diameter, decays and spectrum of a known steel are found in its recorded impact") {
   ToolModel truth;
   truth.bar = {0.5, 0.025};
   truth.transversal.reflection_min = 0.95, truth.transversal.reflection_max = 0.98,
   truth.transversal.shelf_gain = 0.9;
   truth.longitudinal.reflection_min = truth.longitudinal.reflection_max = 0.98;
-  const ToolFit fit = fit_tool(recorded(truth), "blow.wav", {});
+  const ToolFit fit = fit_tool(recorded(truth), "impact.wav", {});
   CHECK(fit.estimated);
   CHECK(fit.model.bar.length_m == doctest::Approx(0.5).epsilon(0.03));
   CHECK(fit.model.bar.diameter_m == doctest::Approx(0.025).epsilon(0.06));

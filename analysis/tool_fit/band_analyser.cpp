@@ -1,11 +1,11 @@
-#include "tool_fit/band_picture.hpp"
+#include "tool_fit/band_analyser.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 
 #include "rigsound/analysis/rate.hpp"
-#include "tool_fit/blow.hpp"
+#include "tool_fit/impact_sound.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -31,7 +31,7 @@ double db(double energy) { return 10 * std::log10(energy + kSilence); }
 
 }  // namespace
 
-BandCamera::BandCamera(double highest_hz) {
+BandAnalyser::BandAnalyser(double highest_hz) {
   for (double centre = 125; centre * std::pow(2, 1.0 / 6) <= highest_hz; centre *= std::pow(2, 1.0 / 3))
     centre_hz_.push_back(centre);
   for (std::size_t i = 0; i < kFrame; ++i)
@@ -39,7 +39,7 @@ BandCamera::BandCamera(double highest_hz) {
   fft_.SetFlag(Eigen::FFT<double>::HalfSpectrum);
 }
 
-std::vector<double> BandCamera::power_spectrum(const std::vector<double>& x) {
+std::vector<double> BandAnalyser::power_spectrum(const std::vector<double>& x) {
   std::vector<std::complex<double>> X;
   fft_.fwd(X, x);
   std::vector<double> power;
@@ -48,9 +48,9 @@ std::vector<double> BandCamera::power_spectrum(const std::vector<double>& x) {
   return power;
 }
 
-void BandCamera::add_decays(const std::vector<double>& sound, BandPicture& picture) {
+void BandAnalyser::add_decays(const std::vector<double>& sound, BandProfile& profile) {
   const std::size_t bands = centre_hz_.size();
-  picture.decay_db.resize(bands);
+  profile.decay_db.resize(bands);
   std::vector<double> sum(bands, 0.0), frame(kFrame);
   std::size_t stretch = 0, frames = 0;
   for (std::size_t start = 0; start + kFrame <= sound.size() && stretch < std::size(kStretch_s);
@@ -60,27 +60,27 @@ void BandCamera::add_decays(const std::vector<double>& sound, BandPicture& pictu
     for (std::size_t b = 0; b < bands; ++b)
       sum[b] += band_energy(power, kAnalysisRate / kFrame, centre_hz_[b]);
     ++frames;
-    const double middle = (static_cast<double>(start + kFrame / 2) - kBeforeBlow) / kAnalysisRate;
+    const double middle = (static_cast<double>(start + kFrame / 2) - kBeforeImpact) / kAnalysisRate;
     if (middle < kStretch_s[stretch]) continue;
     for (std::size_t b = 0; b < bands; ++b)
-      picture.decay_db[b].push_back(db(sum[b] / static_cast<double>(frames)));
+      profile.decay_db[b].push_back(db(sum[b] / static_cast<double>(frames)));
     std::fill(sum.begin(), sum.end(), 0.0);
     frames = 0, ++stretch;
   }
 }
 
-BandPicture BandCamera::picture(const std::vector<double>& sound) {
-  BandPicture picture;
+BandProfile BandAnalyser::analyse(const std::vector<double>& sound) {
+  BandProfile profile;
   std::size_t size = 1024;
   while (size < sound.size()) size *= 2;
   std::vector<double> padded = sound;
   padded.resize(size, 0.0);
   const std::vector<double> power = power_spectrum(padded);
   for (const double centre : centre_hz_)
-    picture.level_db.push_back(
+    profile.level_db.push_back(
         db(band_energy(power, kAnalysisRate / static_cast<double>(size), centre) / kAnalysisRate));
-  add_decays(sound, picture);
-  return picture;
+  add_decays(sound, profile);
+  return profile;
 }
 
 }  // namespace rigsound::analysis

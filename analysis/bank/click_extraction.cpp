@@ -1,4 +1,4 @@
-#include "bank/paper_extraction.hpp"
+#include "bank/click_extraction.hpp"
 
 #include <Eigen/Core>
 
@@ -26,6 +26,19 @@ std::vector<float> coloured(const std::vector<float>& x, const Eigen::ArrayXd& A
 }
 
 }  // namespace
+
+std::vector<std::vector<float>> extract_masked(const Segments& segments,
+                                               const std::vector<ClickCandidate>& candidates,
+                                               const std::vector<std::size_t>& chosen) {
+  std::vector<std::vector<float>> clicks(chosen.size());
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    const ClickMasks masks(segments[s].result.clicks, static_cast<long>(segments[s].result.drilling.size()));
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+      if (candidates[chosen[k]].segment == s)
+        clicks[k] = masks.extract(segments[s].result.drilling, candidates[chosen[k]].click);
+  }
+  return clicks;
+}
 
 std::vector<std::vector<float>> extract_whitened(const Segments& segments,
                                                  const std::vector<ClickCandidate>& candidates,
