@@ -53,7 +53,7 @@ std::vector<double> modulation(std::vector<double> e) {
   for (std::size_t b = 1; b < power.size(); ++b) {
     const double order = static_cast<double>(b) / cycles, nearest = std::round(order);
     if (std::fabs(order - nearest) < kNear) {
-      if (nearest >= 1 && nearest <= 16) at_order[nearest] += power[b];
+      if (nearest >= 1 && nearest <= 16) at_order[static_cast<std::size_t>(nearest)] += power[b];
       continue;
     }
     for (std::size_t i = 0; i < between.size(); ++i)

@@ -34,7 +34,7 @@ DieselRecording diesel_with(Tones tones, double rpm, unsigned seed = 1) {
 }
 
 /// The section of a diesel whose crank is known, its mean cycle taken off.
-Section residual_of(const DieselRecording& engine) {
+Section residual_of(const DieselRecording& diesel) {
   Section s;
   s.x = diesel.sound, s.theta = diesel.theta;
   const CycleBlock block = cycles_of(s, s.x, 0, kAngles);
