@@ -6,11 +6,11 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <exception>
 
 #include "control_socket.hpp"
 #include "log_setup.hpp"
 #include "rigsound/device_error.hpp"
-#include "rigsound/machine/input_error.hpp"
 #include "rigsound/monotonic_time.hpp"
 #include "rigsound/socket/tcp_listener.hpp"
 
@@ -135,8 +135,8 @@ void Daemon::tend_session(double now_s) {
                other_card ? "was begun for another sample format" : "is full");
   try {
     new_run(build(loaded_.rig));
-  } catch (const InputError& error) {
-    recorder_.give_up(std::string("no new session, the sound set can no longer be read: ") + error.what());
+  } catch (const std::exception& error) {
+    recorder_.give_up(std::string("no new session, the sound set can no longer be played: ") + error.what());
   }
 }
 

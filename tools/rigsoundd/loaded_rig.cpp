@@ -28,7 +28,7 @@ LoadedRig build(config::Rig rig) {
   SoundSet sounds = config::load_sounds(rig);
   LoadedRig loaded;
   loaded.fingerprint = config::fingerprint(rig);
-  loaded.engine = std::make_unique<Engine>(rig.engine, std::move(sounds));
+  loaded.engine = std::make_unique<Engine>(config::build_engine(rig, std::move(sounds)));
   loaded.rig = std::move(rig);
   return loaded;
 }
