@@ -5,7 +5,7 @@
 
 namespace rigsound {
 
-/// Throws std::invalid_argument that names the option, its value's limits and the mend. Thread: OFF.
+/// Options that go together and sounds that can be played with them. Throws InvalidField. Thread: OFF.
 void require_valid(const EngineOptions& options, const SoundSet& sounds);
 
 }  // namespace rigsound

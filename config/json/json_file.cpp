@@ -1,101 +1,187 @@
 #include "json/json_file.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <nlohmann/json.hpp>
 
+#include "json/json_positions.hpp"
 #include "rigsound/machine/input_error.hpp"
-#include "text/number_text.hpp"
 #include "text/read_text.hpp"
 
 namespace rigsound::config {
+namespace {
 
-JsonFile::JsonFile(const std::filesystem::path& file) : file_(file.string()), text_(read_text(file)) {
-  try {
-    root_ = nlohmann::json::parse(text_);
-  } catch (const nlohmann::json::out_of_range&) {
-    throw InputError(file_, 0, {}, "holds a number too large to represent");
-  } catch (const nlohmann::json::parse_error& error) {
-    const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text_.size()));
-    const int line = 1 + static_cast<int>(std::count(text_.begin(), end, '\n'));
-    throw InputError(file_, line, {}, "is not valid JSON here");
+constexpr int kMaxDepth = 32;
+constexpr Range kFormats{0, 1 << 20};
+
+std::string kind(const nlohmann::json& value) {
+  switch (value.type()) {
+    case nlohmann::json::value_t::object:
+      return "an object";
+    case nlohmann::json::value_t::array:
+      return "a list";
+    case nlohmann::json::value_t::string:
+      return "text";
+    case nlohmann::json::value_t::boolean:
+      return "true or false";
+    case nlohmann::json::value_t::null:
+      return "null";
+    default:
+      return "a number";
   }
-  if (!root_.is_object()) throw InputError(file_, 1, {}, "is no JSON object, expected { \"format\": ... }");
+}
+
+}  // namespace
+
+struct JsonFile::Document {
+  std::string file, text;
+  nlohmann::json root;
+};
+
+JsonFile::JsonFile(const std::filesystem::path& file) : position_(0) {
+  auto document = std::make_shared<Document>();
+  document->file = file.string();
+  document->text = read_text(file);
+  const std::string& text = document->text;
+  const auto refuse = [&](int line, std::string_view problem) {
+    throw InputError(document->file, line, {}, problem);
+  };
+  if (const std::size_t deep = position_below(text, kMaxDepth); deep != kNowhere)
+    refuse(line_at(text, deep), "has brackets more than " + std::to_string(kMaxDepth) +
+                                    " levels deep, expected a file that rigsound writes");
+  try {
+    document->root = nlohmann::json::parse(text);
+  } catch (const nlohmann::json::out_of_range&) {
+    refuse(0, "holds a number too large to represent");
+  } catch (const nlohmann::json::parse_error& error) {
+    refuse(line_at(text, error.byte), "is not valid JSON here");
+  }
+  if (!document->root.is_object()) refuse(1, "is no JSON object, expected { \"format\": ... }");
+  node_ = &document->root;
+  document_ = std::move(document);
+}
+
+JsonFile::JsonFile(const JsonFile& outer, const nlohmann::json& item, const std::string& path,
+                   std::size_t position)
+    : document_(outer.document_), node_(&item), path_(outer.path_ + path + "."), position_(position) {}
+
+bool JsonFile::has(std::string_view key) const { return node_->contains(key); }
+
+std::vector<std::string> JsonFile::keys() const {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : node_->items()) keys.push_back(key);
+  return keys;
 }
 
 const nlohmann::json& JsonFile::value(std::string_view key) const {
-  const auto it = root_.find(std::string(key));
-  if (it == root_.end()) fail(key, "is missing");
+  const auto it = node_->find(key);
+  if (it == node_->end()) fail(key, "is missing");
   return *it;
 }
 
-JsonFile JsonFile::inside(std::string_view path, const nlohmann::json& item) const {
-  if (!item.is_object()) fail(path, std::string("is ") + item.type_name() + ", expected an object { }");
-  JsonFile copy = *this;
-  copy.path_ = path_ + std::string(path) + ".";
-  copy.root_ = item;
-  return copy;
+JsonFile JsonFile::object(std::string_view key) const {
+  const nlohmann::json& item = value(key);
+  if (!item.is_object()) fail_kind(key, item, "an object { }");
+  return {*this, item, std::string(key), document_->text.find('{', position_of(key))};
 }
-
-JsonFile JsonFile::object(std::string_view key) const { return inside(key, value(key)); }
 
 std::vector<JsonFile> JsonFile::objects(std::string_view key) const {
   const nlohmann::json& list = value(key);
-  if (!list.is_array()) fail(key, std::string("is ") + list.type_name() + ", expected a list of objects");
-  std::vector<JsonFile> found;
+  if (!list.is_array()) fail_kind(key, list, "a list of objects");
   for (const nlohmann::json& item : list)
-    found.push_back(inside(std::string(key) + "[" + std::to_string(found.size()) + "]", item));
+    if (!item.is_object()) fail(key, "holds " + kind(item) + ", expected objects { }");
+  const std::vector<std::size_t> positions = item_positions(document_->text, position_of(key));
+  std::vector<JsonFile> found;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    found.push_back({*this, list[i], std::string(key) + "[" + std::to_string(i) + "]",
+                     i < positions.size() ? positions[i] : position_});  // a key may stand there twice
   return found;
 }
 
-double JsonFile::number(std::string_view key, double min, double max) const {
-  const nlohmann::json& v = value(key);
-  const std::string expected = "expected a number " + range_text(min, max);
-  if (!v.is_number()) fail(key, std::string("is ") + v.type_name() + ", " + expected);
-  const double x = v.get<double>();
-  if (!(x >= min && x <= max)) fail(key, number_text(x) + " is out of range, " + expected);
+double JsonFile::checked(std::string_view key, const nlohmann::json& value, const Range& range) const {
+  const double x = value.get<double>();
+  if (!range.holds(x)) fail(key, range.problem(x));
   return x;
 }
 
-int JsonFile::integer(std::string_view key, int min, int max) const {
-  const double x = number(key, min, max);
-  if (x != std::floor(x)) fail(key, number_text(x) + " is not whole, expected a whole number");
-  return static_cast<int>(x);
+double JsonFile::number(std::string_view key, const Range& range) const {
+  const nlohmann::json& v = value(key);
+  if (!v.is_number()) fail_kind(key, v, "a number, " + range.text());
+  return checked(key, v, range);
+}
+
+bool JsonFile::flag(std::string_view key) const {
+  const nlohmann::json& v = value(key);
+  if (!v.is_boolean()) fail_kind(key, v, "true or false");
+  return v.get<bool>();
 }
 
 std::string JsonFile::text(std::string_view key) const {
   const nlohmann::json& v = value(key);
-  if (!v.is_string()) fail(key, std::string("is ") + v.type_name() + ", expected text in quotes");
+  if (!v.is_string()) fail_kind(key, v, "text in quotes");
   return v.get<std::string>();
 }
 
-std::vector<float> JsonFile::floats(std::string_view key, double min, double max) const {
+std::vector<float> JsonFile::floats(std::string_view key, const Range& range) const {
   const nlohmann::json& v = value(key);
-  const std::string expected = "expected a list of numbers " + range_text(min, max);
-  if (!v.is_array()) fail(key, std::string("is ") + v.type_name() + ", " + expected);
+  if (!v.is_array()) fail_kind(key, v, "a list of numbers, " + range.text());
   std::vector<float> list;
   for (const nlohmann::json& item : v) {
-    const double x = item.is_number() ? item.get<double>() : NAN;
-    if (!(x >= min && x <= max)) fail(key, item.dump() + " stands in the list, " + expected);
-    list.push_back(static_cast<float>(x));
+    if (!item.is_number()) fail(key, "holds " + kind(item) + ", expected numbers, " + range.text());
+    list.push_back(static_cast<float>(checked(key, item, range)));
+  }
+  return list;
+}
+
+std::vector<std::array<double, 2>> JsonFile::pairs(std::string_view key, const Range& range,
+                                                   std::size_t most) const {
+  const nlohmann::json& v = value(key);
+  const std::string expected =
+      "at most " + std::to_string(most) + " pairs [b, c] of numbers, " + range.text();
+  if (!v.is_array()) fail_kind(key, v, expected);
+  if (v.size() > most) fail(key, "is a list of " + std::to_string(v.size()) + ", expected " + expected);
+  std::vector<std::array<double, 2>> list;
+  for (const nlohmann::json& pair : v) {
+    if (!pair.is_array() || pair.size() != 2 || !pair[0].is_number() || !pair[1].is_number())
+      fail(key, "holds something else, expected " + expected);
+    list.push_back({checked(key, pair[0], range), checked(key, pair[1], range)});
   }
   return list;
 }
 
 void JsonFile::require_format(int format) const {
-  const int found = integer("format", 0, 1 << 20);
+  const int found = static_cast<int>(number("format", kFormats.whole()));
   if (found != format)
     fail("format", "version " + std::to_string(found) + " is not known, expected " + std::to_string(format));
 }
 
-void JsonFile::fail(std::string_view key, std::string_view message) const {
-  throw InputError(file_, line_of(key), path_ + std::string(key), message);
+void JsonFile::fail_kind(std::string_view key, const nlohmann::json& found, std::string_view expected) const {
+  fail(key, "is " + kind(found) + ", expected " + std::string(expected));
 }
 
-int JsonFile::line_of(std::string_view key) const {
-  const std::size_t at = text_.find('"' + std::string(key) + '"');
-  if (at == std::string::npos) return 1;
-  return 1 +
-         static_cast<int>(std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+void JsonFile::fail(std::string_view key, std::string_view problem) const {
+  throw InputError(document_->file, line_at(document_->text, position_of(key)), path_ + std::string(key),
+                   problem);
+}
+
+void JsonFile::fail(const InvalidField& error) const {
+  JsonFile inner = *this;
+  std::string_view path = error.key();
+  for (std::size_t dot = path.find('.'); dot != std::string_view::npos; dot = path.find('.')) {
+    const std::string_view step = path.substr(0, dot);
+    const std::size_t bracket = step.find('[');
+    const std::string_view key = step.substr(0, bracket);
+    if (!inner.has(key)) break;
+    inner = bracket == std::string_view::npos
+                ? inner.object(key)
+                : inner.objects(key).at(std::stoul(std::string(step.substr(bracket + 1))));
+    path.remove_prefix(dot + 1);
+  }
+  inner.fail(path, error.problem());
+}
+
+/// Of the object itself when it has no such key.
+std::size_t JsonFile::position_of(std::string_view key) const {
+  const std::size_t position = key_position(document_->text, position_, key);
+  return position == kNowhere ? position_ : position;
 }
 
 }  // namespace rigsound::config

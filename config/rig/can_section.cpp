@@ -6,11 +6,13 @@
 #include "rigsound/config/dbc.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "text/nearest_word.hpp"
+#include "toml/toml_reader.hpp"
 
 namespace rigsound::config {
 namespace {
 
 constexpr std::uint32_t kStandardMask = 0x7FF;
+constexpr Range kSourceAddresses{0, 255};
 
 template <class Named>
 std::string not_there(const std::string& what, const std::string& name, const std::string& where,
@@ -51,7 +53,7 @@ class CanSection {
   can::CanOptions read(const std::vector<BoomOptions>& booms) {
     options_.interface = table_.required_text("interface", "the name of a CAN interface as in `ip link`");
     if (options_.interface.size() > 15) table_.fail("interface", "is too long, expected at most 15 letters");
-    options_.fd = table_.flag("fd", false);
+    config::read(table_, options_);
     forced_j1939_ = table_.has("j1939");
     j1939_ = table_.flag("j1939", false);
     load();
@@ -80,7 +82,7 @@ class CanSection {
       TomlTable details = table.table(key);
       look_up(details, "signal", details.required_text("signal", "\"MESSAGE.SIGNAL\" of the DBC"), route);
       if (details.has("source")) {
-        route.match.source = static_cast<std::uint8_t>(details.integer("source", 0, 0, 255));
+        route.match.source = static_cast<std::uint8_t>(details.integer("source", 0, kSourceAddresses));
         if (!route.match.j1939) details.fail("source", "needs a J1939 message, expected j1939 = true");
       }
       scale(details, route.layout);
@@ -93,10 +95,10 @@ class CanSection {
 
   // What the DBC says is in the bus's unit; the rig turns it into the machine signal's.
   static void scale(TomlTable& details, can::SignalLayout& layout) {
-    const double scale = details.number("scale", 1, -1e9, 1e9);
+    const double scale = details.number("scale", 1, kBusScales);
     if (scale == 0) details.fail("scale", "is 0, expected any other number");
     layout.scale *= scale;
-    layout.offset = layout.offset * scale + details.number("offset", 0, -1e9, 1e9);
+    layout.offset = layout.offset * scale + details.number("offset", 0, kBusScales);
   }
 
   void look_up(TomlTable& table, std::string_view key, const std::string& path,

@@ -41,21 +41,32 @@ class Print {
   std::uint64_t state_ = 0;
 };
 
-void add_options(const Rig& rig, Print& print) {
-  const EngineOptions& o = rig.engine;
-  const SceneOptions& s = o.scene;
-  for (const double x :
-       {o.sample_rate, static_cast<double>(o.block), static_cast<double>(o.channels), s.contact_bar,
-        s.underfeed_bar, s.overfeed_bar, s.hysteresis_bar, s.crossfade_s, s.open_burst_s, s.open_sustain_db,
-        s.idle_rpm, o.mix.drill_db, o.mix.tool_db, o.mix.diesel_db, o.mix.ceiling_dbfs})
-    print.add(x);
-  for (const EqualiserBand& band : o.mix.equaliser)
-    for (const double x : {band.frequency_hz, band.gain_db, band.q}) print.add(x);
-  for (std::size_t b = 0; b < o.booms.size(); ++b) {
-    print.add(o.booms[b].pan);
-    print.add(o.booms[b].gain_db);
-    if (b < rig.boom_tools.size()) print.add(rig.boom_tools[b]);
+/// Adds every field of a list: one that is new in it changes the fingerprint by itself.
+class FieldPrint {
+ public:
+  explicit FieldPrint(Print& print) : print_(print) {}
+
+  void operator()(const char*, const double& x, const Range&) { print_.add(x); }
+  void operator()(const char*, const int& x, const Range&) { print_.add(static_cast<double>(x)); }
+  void operator()(const char*, const std::string&, Label) {}
+  template <class Item>
+  void operator()(const char*, const std::vector<Item>& list) {
+    for (const Item& item : list) visit(*this, item);
   }
+  template <class Options>
+  void operator()(const char*, const Options& options) {
+    visit(*this, options);
+  }
+
+ private:
+  Print& print_;
+};
+
+void add_options(const Rig& rig, Print& print) {
+  FieldPrint archive(print);
+  visit(archive, rig.engine);
+  for (std::size_t b = 0; b < rig.engine.booms.size() && b < rig.boom_tools.size(); ++b)
+    print.add(rig.boom_tools[b]);
 }
 
 void add_files(const fs::path& folder, Print& print) {

@@ -53,12 +53,20 @@ void require_own_interfaces(const Rig& rig, const TomlTable& root) {
       root.fail("can", "names the interface " + bus.interface + " twice, expected one [[can]] for each");
 }
 
-void read_sound(TomlTable table, const std::filesystem::path& folder, Rig& rig) {
-  const std::string set = table.text("set", "");
+void take_sound(const TomlTable& table, const std::filesystem::path& folder, Rig& rig) {
+  const SoundSection sound = read_sound(table);
   rig.sound_set_line = table.line_of("set");
-  if (!set.empty()) rig.sound_set = (folder / set).lexically_normal();
-  rig.engine.seed = static_cast<std::uint64_t>(table.integer("seed", 1, 0, 2147483647));
-  table.refuse_unknown();
+  if (!sound.set.empty()) rig.sound_set = (folder / sound.set).lexically_normal();
+  rig.engine.seed = static_cast<std::uint64_t>(sound.seed);
+}
+
+/// What the engine would refuse is refused where the file says it.
+void require_playable(const Rig& rig, const TomlTable& root) {
+  try {
+    require_valid(rig.engine);
+  } catch (const InvalidField& error) {
+    root.fail(error);
+  }
 }
 
 }  // namespace
@@ -71,7 +79,7 @@ Rig parse_rig(std::string_view text, const std::filesystem::path& file) {
   Rig rig;
   rig.file = file;
   rig.audio = read_audio(root.table("audio"));
-  read_sound(root.table("sound"), folder, rig);
+  take_sound(root.table("sound"), folder, rig);
   Booms booms = read_booms(root.tables("boom"));
   rig.boom_tools = std::move(booms.tools);
   rig.boom_tool_lines = std::move(booms.tool_lines);
@@ -80,7 +88,8 @@ Rig parse_rig(std::string_view text, const std::filesystem::path& file) {
   rig.engine.channels = rig.audio.channels;
   rig.engine.booms = std::move(booms.options);
   rig.engine.scene = read_scene(root.table("scene"));
-  rig.engine.mix = read_mix(root.table("mix"), rig.audio.rate);
+  rig.engine.mix = read_mix(root.table("mix"));
+  require_playable(rig, root);
   for (TomlTable& table : root.tables("can")) rig.can.push_back(read_can(table, folder, rig.engine.booms));
   for (TomlTable& table : root.tables("modbus")) rig.modbus.push_back(read_modbus(table, rig.engine.booms));
   rig.safety = read_safety(root.table("safety"), stale_defaults(rig));
@@ -124,7 +133,7 @@ Engine build_engine(const Rig& rig, SoundSet sounds) {
 }
 
 std::string signal_label(const Rig& rig, SignalId id) {
-  const std::string name(info(id.signal).name);
+  std::string name(info(id.signal).name);
   if (id.boom == 0 || id.boom >= rig.engine.booms.size()) return name;
   return rig.engine.booms[id.boom].name + "." + name;
 }

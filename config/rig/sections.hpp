@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -14,8 +15,22 @@ namespace rigsound::config {
 
 audio::AudioOptions read_audio(TomlTable table);
 SceneOptions read_scene(TomlTable table);
-MixOptions read_mix(TomlTable table, double sample_rate);
+MixOptions read_mix(TomlTable table);
 ControlOptions read_control(TomlTable table);
+
+/// [sound]
+struct SoundSection {
+  std::string set;        ///< folder of the sound set; empty: none
+  std::int64_t seed = 1;  ///< of the engine
+};
+
+template <class Archive>
+void fields(Archive& a, SoundSection& o) {
+  a("set", o.set);
+  a("seed", o.seed, Range{0, 2147483647});
+}
+
+SoundSection read_sound(TomlTable table);
 
 struct Booms {
   std::vector<BoomOptions> options;

@@ -1,7 +1,6 @@
 #include "rigsound/config/background_files.hpp"
 
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
 #include "rigsound/file/atomic_file.hpp"
@@ -74,8 +73,8 @@ void save_background(const fs::path& sound_set, const DieselModel& background) {
 }
 
 DieselModel load_background(const fs::path& folder) {
-  const fs::path file = folder / "background.json";
-  DieselModel model = read_background_json(file);
+  const JsonFile json(folder / "background.json");
+  DieselModel model = read_background_json(json);
   model.name = folder.filename().string();
   for (std::size_t i = 0; i < model.points.size(); ++i)
     model.points[i].grains = load_grains(folder / grains_file(i), grain_samples(model));
@@ -83,8 +82,8 @@ DieselModel load_background(const fs::path& folder) {
   model.stop = load_shot(folder / "stop.wav", model.sample_rate);
   try {
     require_valid(model);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(file.string(), error.what());
+  } catch (const InvalidField& error) {
+    json.fail(error);
   }
   return model;
 }

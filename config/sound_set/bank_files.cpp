@@ -32,10 +32,15 @@ StoredBank load_bank(const fs::path& bank_folder) {
   std::error_code error;
   if (!fs::is_directory(bank_folder, error))
     throw InputError(bank_folder.string(), "is no bank folder, expected one with bank.json and clicks.wav");
-  const fs::path json = bank_folder / "bank.json";
+  const JsonFile json(bank_folder / "bank.json");
   StoredBank stored = read_bank_json(json);
   stored.bank.name = bank_folder.filename().string();
   stored.bank.clicks = read_clicks_wav(bank_folder / "clicks.wav", static_cast<int>(stored.bank.sample_rate));
+  try {
+    require_valid(stored.bank);
+  } catch (const InvalidField& invalid) {
+    json.fail(invalid);
+  }
   return stored;
 }
 

@@ -1,19 +1,22 @@
 #include "sound_set/index_text.hpp"
 
-#include "text/number_text.hpp"
+#include "rigsound/machine/fields.hpp"
 
 namespace rigsound::config {
 
-std::string_view index_preamble() {
+std::string index_preamble() {
+  const std::string rods = kRodCounts.text(), trims = kBankTrims.text();
   return R"(# What this sound set plays, and when. Written by rigsound, meant to be edited: rigsound only ever adds
 # entries at the end and leaves everything else as it finds it.
 #
 # [[bank]] says that a bank of clicks serves a drilling situation:
 #   name       folder under banks/
 #   situation  normal, underfeed, overfeed, closed_rattling or open_rattling; all five must be served
-#   rods       rod count it was recorded with, 1...20; 0 serves any count
+#   rods       rod count it was recorded with, )" +
+         rods + R"(; 0 serves any count
 #   rock       name of a [[rock]] below; "" serves any rock
-#   gain_db    trim against the other banks, -60...24 dB
+#   gain_db    trim against the other banks, )" +
+         trims + R"(
 # A bank may serve several situations: give it one [[bank]] each. Of several that fit, the nearest in
 # rods and rock is played.
 #

@@ -9,7 +9,7 @@
 namespace rigsound::config {
 
 /// The comments and the format line of a new soundset.toml.
-std::string_view index_preamble();
+std::string index_preamble();
 
 /// One [[bank]], [[rock]], [[tool]] or [[background]], a blank line before it.
 std::string index_bank_text(const BankEntry& entry);

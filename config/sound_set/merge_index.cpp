@@ -58,7 +58,7 @@ void merge_index(const fs::path& sound_set, const SoundSetIndex& additions) {
   if (exists && added.empty()) return;
 
   make_folder(sound_set);
-  std::string text = exists ? read_text(file) : std::string(index_preamble());
+  std::string text = exists ? read_text(file) : index_preamble();
   if (!text.empty() && text.back() != '\n') text += '\n';
   write_file(file, text + added);
 }

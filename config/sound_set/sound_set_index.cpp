@@ -5,12 +5,13 @@
 #include "rigsound/machine/input_error.hpp"
 #include "sound_set/index_text.hpp"
 #include "sound_set/names.hpp"
-#include "toml/toml_table.hpp"
+#include "toml/toml_reader.hpp"
 
 namespace rigsound::config {
 namespace {
 
 constexpr int kIndexFormat = 1;
+constexpr Range kFormats{0, 1 << 20};
 
 constexpr Word<Situation> kSituationWords[] = {{"normal", Situation::kNormal},
                                                {"underfeed", Situation::kUnderfeed},
@@ -28,11 +29,9 @@ BankEntry read_bank(TomlTable& table, const std::vector<std::string>& rocks) {
   BankEntry entry;
   entry.line = table.line_of("name");
   entry.name = read_name(table);
-  table.required_text("situation", "one of normal, underfeed, overfeed, closed_rattling, open_rattling");
+  table.required_text("situation", "one of " + list_of(kSituationWords));
   entry.situation = table.word("situation", Situation::kNormal, kSituationWords);
-  entry.rods = table.integer("rods", 0, 0, 20);
-  entry.rock = table.text("rock", "");
-  entry.gain_db = table.number("gain_db", 0, -60, 24);
+  read(table, entry);
   if (!entry.rock.empty() && std::find(rocks.begin(), rocks.end(), entry.rock) == rocks.end())
     table.fail("rock", "\"" + entry.rock + "\" is not named by any [[rock]] of this file");
   table.refuse_unknown();
@@ -58,7 +57,7 @@ SoundSetIndex load_index(const std::filesystem::path& sound_set) {
   if (!std::filesystem::is_directory(sound_set, error))
     throw InputError(sound_set.string(), "is no sound set, expected a folder with soundset.toml");
   TomlTable root = TomlTable::read(sound_set / "soundset.toml");
-  const int format = root.integer("format", 0, 0, 1 << 20);
+  const int format = root.integer("format", 0, kFormats);
   if (format != kIndexFormat)
     root.fail("format", "version " + std::to_string(format) + " is not known, expected " +
                             std::to_string(kIndexFormat));

@@ -13,6 +13,6 @@ constexpr int kToolFormat = 2;  ///< of tools/NAME.json
 std::string tool_json(const ToolModel& tool);
 
 /// Keys left out keep their defaults; unknown keys, wrong types and senseless values are refused.
-ToolModel read_tool_json(const JsonFile& file);
+ToolModel read_tool_json(const JsonFile& json);
 
 }  // namespace rigsound::config

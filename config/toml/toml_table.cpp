@@ -1,11 +1,9 @@
 #include "toml/toml_table.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "rigsound/machine/input_error.hpp"
 #include "text/nearest_word.hpp"
-#include "text/number_text.hpp"
 #include "text/read_text.hpp"
 
 namespace rigsound::config {
@@ -52,21 +50,17 @@ const toml::node* TomlTable::known(std::string_view key) {
   return table_->get(key);
 }
 
-double TomlTable::number(std::string_view key, double otherwise, double min, double max) {
+double TomlTable::number(std::string_view key, double otherwise, const Range& range) {
   const toml::node* node = known(key);
   if (node == nullptr) return otherwise;
-  const std::string expected = "expected a number " + range_text(min, max);
-  if (!node->is_number()) fail(key, "is " + kind(*node) + ", " + expected);
+  if (!node->is_number()) fail(key, "is " + kind(*node) + ", expected a number, " + range.text());
   const double x = *node->value<double>();
-  if (!(x >= min && x <= max)) fail(key, number_text(x) + " is out of range, " + expected);
+  if (!range.holds(x)) fail(key, range.problem(x));
   return x;
 }
 
-int TomlTable::integer(std::string_view key, int otherwise, int min, int max) {
-  const double x = number(key, otherwise, min, max);
-  if (x != std::floor(x))
-    fail(key, number_text(x) + " is not whole, expected a whole number " + range_text(min, max));
-  return static_cast<int>(x);
+int TomlTable::integer(std::string_view key, int otherwise, const Range& range) {
+  return static_cast<int>(number(key, otherwise, range.step == 0 ? range.whole() : range));
 }
 
 bool TomlTable::flag(std::string_view key, bool otherwise) {
@@ -158,6 +152,16 @@ void TomlTable::refuse_unknown() const {
 
 void TomlTable::fail(std::string_view key, std::string_view message) const {
   throw InputError(*file_, line_of(key), path_of(key), message);
+}
+
+void TomlTable::fail(const InvalidField& error) const {
+  std::string_view place = error.key();  // where the key is not in the file, the table that it belongs to is
+  toml::node_view<const toml::node> node;
+  while (!place.empty() && !(node = toml::at_path(*table_, place)))
+    place =
+        place.substr(0, place.find_last_of(".[") == std::string_view::npos ? 0 : place.find_last_of(".["));
+  const toml::source_region& where = node ? node.node()->source() : table_->source();
+  throw InputError(*file_, static_cast<int>(where.begin.line), path_of(error.key()), error.problem());
 }
 
 std::string TomlTable::path_of(std::string_view key) const {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <toml++/toml.h>
+
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
@@ -12,11 +12,9 @@
 #include <utility>
 #include <vector>
 
-namespace rigsound::config {
+#include "rigsound/machine/fields.hpp"
 
-/// A word of a TOML file and the value it stands for.
-template <class E>
-using Word = std::pair<std::string_view, E>;
+namespace rigsound::config {
 
 /// Every getter marks its key as known, gives `otherwise` when the key is absent and throws InputError
 /// `FILE:LINE: KEY: what is wrong, what was expected` when the value is of another type or out of range.
@@ -27,8 +25,12 @@ class TomlTable {
   static TomlTable parse(std::string_view text, const std::string& file);  ///< `file` is for messages
 
   bool has(std::string_view key) const { return table_->contains(key); }
-  double number(std::string_view key, double otherwise, double min, double max);
-  int integer(std::string_view key, int otherwise, int min, int max);
+  void expect(std::string_view key) { known(key); }  ///< marks a key as known
+  double number(std::string_view key, double otherwise, const Range& range);
+  double number(std::string_view key, double otherwise, double min, double max) {
+    return number(key, otherwise, Range{min, max});
+  }
+  int integer(std::string_view key, int otherwise, const Range& range);
   bool flag(std::string_view key, bool otherwise);
   std::string text(std::string_view key, std::string_view otherwise);
   void require(std::string_view key, std::string_view expected);  ///< refuses a table without the key
@@ -39,12 +41,9 @@ class TomlTable {
   E word(std::string_view key, E otherwise, const Word<E> (&words)[N]) {
     if (!has(key)) return known(key), otherwise;
     const std::string given = text(key, {});
-    std::string list;
-    for (const Word<E>& w : words) {
+    for (const Word<E>& w : words)
       if (w.first == given) return w.second;
-      list.append(list.empty() ? "" : ", ").append(w.first);
-    }
-    fail(key, "\"" + given + "\" is not known, expected one of " + list);
+    fail(key, "\"" + given + "\" is not known, expected one of " + list_of(words));
   }
 
   /// [key] as a table; an empty one when it is absent.
@@ -60,6 +59,8 @@ class TomlTable {
   void refuse_unknown() const;
 
   [[noreturn]] void fail(std::string_view key, std::string_view message) const;
+  /// For what a check found: error.key() is a path from here, "mix.equaliser[0].frequency_hz".
+  [[noreturn]] void fail(const InvalidField& error) const;
   const std::string& file() const { return *file_; }
   std::string path_of(std::string_view key) const;
   int line_of(std::string_view key) const;  ///< of the table itself when there is no such key

@@ -1,41 +1,41 @@
-#include "drill/bank_check.hpp"
-
 #include <cmath>
-#include <stdexcept>
 
-namespace rigsound::drill {
+#include "field_check.hpp"
+#include "rigsound/click_bank.hpp"
+
+namespace rigsound {
 namespace {
 
-void require(bool holds, const ClickBank& bank, const char* what) {
-  if (!holds) throw std::invalid_argument("bank \"" + bank.name + "\": " + what);
-}
+constexpr double kSlowest_hz = 1, kFastest_hz = 200;  // strikes a second
+constexpr double kLeastBend = -100;                   // exp(-alpha_a N_a) must be a number
+constexpr float kLoudest = 1e3F;
 
-bool between(double x, double low, double high) { return x >= low && x <= high; }
-
-}  // namespace
-
-void require_playable(const ClickBank& bank) {
-  require(between(bank.sample_rate, 8000, 192000), bank, "sample_rate must be 8000...192000 Hz");
-  require(between(bank.mean_gap_samples, bank.sample_rate / 200, bank.sample_rate), bank,
-          "T0 must be a period of 1...200 Hz");
-  require(between(bank.gap_deviation_samples, 0, 2 * bank.mean_gap_samples), bank,
-          "sigma_T must be 0...2 T0");
-  require(bank.mean_amplitude > 0 && between(bank.mean_amplitude, 0, 1e4), bank, "B must be positive");
-  require(between(bank.amplitude_deviation, 0, 4 * bank.mean_amplitude), bank, "sigma_B must be 0...4 B");
-  require(between(bank.gap_correlation, -0.99, 0.99) && between(bank.amplitude_correlation, -0.99, 0.99),
-          bank, "r_T and r_B must be -0.99...0.99");
-  require(between(bank.miss_share, 0, 1) && between(bank.double_share, 0, 1 - bank.miss_share), bank,
-          "p_miss and p_double must be shares that add up to at most 1");
-  require(between(bank.attack_samples, 0, bank.sample_rate) && between(bank.decay, 0, 1) &&
-              between(bank.attack_bend, -100, 100),
-          bank, "N_a, alpha_a or alpha_d is out of range");
-  require(between(bank.gain_db, -60, 60), bank, "gain_db must be -60...60 dB");
-  require(!bank.clicks.empty(), bank, "there are no clicks");
-  for (const auto& click : bank.clicks) {
-    require(!click.empty(), bank, "a click is empty");
+void require_clicks(const FieldCheck& check, const ClickBank& bank) {
+  check.require(!bank.clicks.empty(), "clicks", "there are no clicks, expected at least one");
+  for (const std::vector<float>& click : bank.clicks) {
+    check.require(!click.empty(), "clicks", "one is empty, expected samples");
     for (const float x : click)
-      require(std::fabs(x) <= 1e3f, bank, "a click has a sample that is not finite");
+      check.require(std::fabs(x) <= kLoudest, "clicks",
+                    "one has a sample that is not finite, expected unit clicks");
   }
 }
 
-}  // namespace rigsound::drill
+}  // namespace
+
+void require_valid(const ClickBank& bank) {
+  const FieldCheck check("bank \"" + bank.name + "\": ");
+  check.ranges(bank);
+  const Range gaps{bank.sample_rate / kFastest_hz, bank.sample_rate / kSlowest_hz, "samples"};
+  check.require(gaps.holds(bank.mean_gap_samples), "T0", gaps.problem(bank.mean_gap_samples));
+  check.at_most(2 * bank.mean_gap_samples, "2 T0", bank.gap_deviation_samples, "sigma_T");
+  check.at_most(4 * bank.mean_amplitude, "4 B", bank.amplitude_deviation, "sigma_B");
+  check.at_most(1 - bank.miss_share, "1 - p_miss", bank.double_share, "p_double");
+  check.at_most(bank.sample_rate, "a second", bank.attack_samples, "N_a");
+  const double bend = bank.attack_bend * bank.attack_samples;
+  check.require(bend >= kLeastBend, "alpha_a",
+                "times N_a is " + number_text(bend) + ", expected at least " + number_text(kLeastBend) +
+                    ": no number is as large as the attack's exponential");
+  require_clicks(check, bank);
+}
+
+}  // namespace rigsound

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "drill/bank_check.hpp"
 #include "drill/click_player.hpp"
 #include "impact/impact_train.hpp"
 
@@ -16,7 +15,7 @@ struct BankPlayer::Parts {
 };
 
 BankPlayer::BankPlayer(const ClickBank& bank, std::uint64_t seed) {
-  drill::require_playable(bank);
+  require_valid(bank);
   parts_ = std::make_unique<Parts>(bank, seed);
 }
 BankPlayer::~BankPlayer() = default;

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "rigsound/machine/fields.hpp"
+
 namespace rigsound {
 
 /// Where a strike is missing the gap is this many times as long; a double strike comes after this share of
@@ -18,13 +20,13 @@ struct ClickBank {
 
   double mean_gap_samples = 0;       ///< T_0: mean gap between clicks, samples (section 3.7)
   double gap_deviation_samples = 0;  ///< sigma_T: its standard deviation, samples
-  double gap_correlation = 0;        ///< lag-1 correlation of the gaps, -0.9...0.9
+  double gap_correlation = 0;        ///< lag-1 correlation of the gaps
   double miss_share = 0;             ///< share of gaps in which a strike is missing (kMissGap)
   double double_share = 0;           ///< share of gaps cut short by a double strike (kDoubleGap)
 
   double mean_amplitude = 1;         ///< B: mean L2 norm of the clicks
   double amplitude_deviation = 0;    ///< sigma_B: its standard deviation
-  double amplitude_correlation = 0;  ///< lag-1 correlation of the amplitudes, -0.9...0.9
+  double amplitude_correlation = 0;  ///< lag-1 correlation of the amplitudes
 
   double attack_samples = 0;  ///< N_a: attack, samples (eq. 5)
   double attack_bend = 0;     ///< alpha_a: attack bend, 1/sample (eq. 5)
@@ -34,5 +36,29 @@ struct ClickBank {
 
   std::vector<std::vector<float>> clicks;  ///< each of unit L2 norm, at `sample_rate`
 };
+
+/// The numbers of bank.json. Times are samples of banks of any rate.
+template <class Archive>
+void fields(Archive& a, ClickBank& o) {
+  constexpr double kMaxRate = 192000;
+  constexpr Range kCorrelations{-0.99, 0.99}, kShares{0, 1};
+  a("sample_rate", o.sample_rate, Range{8000, kMaxRate, "Hz"}.whole());
+  a("T0", o.mean_gap_samples, Range{8000 / 200, kMaxRate, "samples"});
+  a("sigma_T", o.gap_deviation_samples, Range{0, 2 * kMaxRate, "samples"});
+  a("r_T", o.gap_correlation, kCorrelations);
+  a("p_miss", o.miss_share, kShares);
+  a("p_double", o.double_share, kShares);
+  a("B", o.mean_amplitude, Range{1e-12, 1e6});
+  a("sigma_B", o.amplitude_deviation, Range{0, 4e6});
+  a("r_B", o.amplitude_correlation, kCorrelations);
+  a("N_a", o.attack_samples, Range{0, kMaxRate, "samples"});
+  a("alpha_a", o.attack_bend, Range{-100, 100, "1/sample"});
+  a("alpha_d", o.decay, Range{0, 1, "1/sample"});
+  a("gain_db", o.gain_db, Range{-60, 60, "dB"});
+}
+
+/// Throws InvalidField when `bank` cannot be played: a number out of its range or at odds with another, no
+/// clicks, an empty click or one that is not finite. Thread: OFF.
+void require_valid(const ClickBank& bank);
 
 }  // namespace rigsound

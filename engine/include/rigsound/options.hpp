@@ -1,11 +1,15 @@
-// What an engine is built with.
+// What an engine is built with. Ranges and units stand in the lists (rigsound/machine/fields.hpp).
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "rigsound/machine/limits.hpp"
+
 namespace rigsound {
+
+constexpr Range kLayerGain{-60, 24, "dB"};
 
 struct BoomOptions {
   std::string name = "boom";
@@ -14,7 +18,14 @@ struct BoomOptions {
   int tool = -1;  ///< index into SoundSet::tools; -1: no ringing bar
 };
 
-/// When a drill is in which situation. Pressures in bar.
+template <class Archive>
+void fields(Archive& a, BoomOptions& o) {
+  a("name", o.name, Label{});
+  a("pan", o.pan, Range{-1, 1});
+  a("gain_db", o.gain_db, kLayerGain);
+}
+
+/// When a drill is in which situation: contact < underfeed <= overfeed.
 struct SceneOptions {
   double contact_bar = 15;              ///< over it the bit touches the rock
   double underfeed_bar = 60;            ///< below it: underfeed
@@ -30,9 +41,29 @@ struct SceneOptions {
   double idle_rpm = 800;  ///< diesel at rest; under half of it the diesel is starting or stopping
 };
 
+template <class Archive>
+void fields(Archive& a, SceneOptions& o) {
+  a("contact_bar", o.contact_bar, Range{0, 300, "bar"});
+  a("underfeed_bar", o.underfeed_bar, Range{0, 300, "bar"});
+  a("overfeed_bar", o.overfeed_bar, Range{0, 300, "bar"});
+  a("hysteresis_bar", o.hysteresis_bar, Range{0, 100, "bar"});
+  a("crossfade_s", o.crossfade_s, Range{0, 10, "s"});
+  a("open_burst_s", o.open_burst_s, Range{0, 10, "s"});
+  a("open_sustain_db", o.open_sustain_db, Range{-60, 0, "dB"});
+  a("idle_rpm", o.idle_rpm, kIdleSpeeds);
+}
+
+/// A bell, at most at kHighestCorner of the sample rate.
 struct EqualiserBand {
   double frequency_hz = 1000, gain_db = 0, q = 0.7;
 };
+
+template <class Archive>
+void fields(Archive& a, EqualiserBand& o) {
+  a("frequency_hz", o.frequency_hz, Range{10, kHighestCorner * kMaxSampleRate, "Hz"});
+  a("gain_db", o.gain_db, Range{-24, 24, "dB"});
+  a("q", o.q, Range{0.1, 20});
+}
 
 struct MixOptions {
   double drill_db = 0, tool_db = -12, diesel_db = 0;
@@ -40,14 +71,37 @@ struct MixOptions {
   double ceiling_dbfs = -1;  ///< no sample ever exceeds it
 };
 
+template <class Archive>
+void fields(Archive& a, MixOptions& o) {
+  a("drill_db", o.drill_db, kLayerGain);
+  a("tool_db", o.tool_db, kLayerGain);
+  a("background_db", o.diesel_db, kLayerGain);
+  a("ceiling_dbfs", o.ceiling_dbfs, Range{-60, 0, "dBFS"});
+  a("equaliser", o.equaliser);
+}
+
 struct EngineOptions {
-  double sample_rate = 48000;  ///< Hz, kMinSampleRate...kMaxSampleRate
-  int block = 64;              ///< frames, a multiple of kChunk up to kMaxBlock
-  int channels = 2;            ///< 1...kMaxChannels
-  std::uint64_t seed = 1;      ///< same seed, same bits
-  std::vector<BoomOptions> booms = {BoomOptions{}};
+  double sample_rate = 48000;
+  int block = 64;
+  int channels = 2;
+  std::uint64_t seed = 1;                            ///< any; same seed, same bits
+  std::vector<BoomOptions> booms = {BoomOptions{}};  ///< 1...kMaxBooms
   SceneOptions scene;
   MixOptions mix;
 };
+
+/// The seed apart, which may be chosen per run.
+template <class Archive>
+void fields(Archive& a, EngineOptions& o) {
+  a("rate", o.sample_rate, kSampleRates);
+  a("block", o.block, kBlocks);
+  a("channels", o.channels, kChannelCounts);
+  a("scene", o.scene);
+  a("mix", o.mix);
+  a("boom", o.booms);
+}
+
+/// Throws InvalidField for the first option out of its range or at odds with another. Thread: OFF.
+void require_valid(const EngineOptions& options);
 
 }  // namespace rigsound

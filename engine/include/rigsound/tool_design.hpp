@@ -18,6 +18,7 @@ constexpr int kMaxPaperSections = 64;  ///< first-order sections of the paper's 
 constexpr int kMaxLoopDelay = 1000;    ///< samples
 constexpr int kMaxBounces = 4;
 constexpr int kMaxToolBands = 6;
+constexpr int kMaxRodSteels = 20;
 
 /// (p^2 - b p + c) / (p^2 + b p + c) with p = (1 - z^-1) / (1 + z^-1); stable for all b, c > 0.
 struct AllpassSection {
@@ -39,8 +40,15 @@ struct Allpass {
 struct LoopFilters {
   double dc = 0;          ///< sqrt 3 tan(pi 20 Hz / rate): -6.02 dB at 20 Hz
   double shelf = 1;       ///< tan(pi corner / rate)
-  double shelf_gain = 1;  ///< g: gain above the corner, 0...1
+  double shelf_gain = 1;  ///< g: gain above the corner
 };
+
+template <class Archive>
+void fields(Archive& a, LoopFilters& o) {
+  a("dc", o.dc, Range{1e-6, 1});
+  a("shelf", o.shelf, Range{1e-6, 1e3});
+  a("g", o.shelf_gain, Range{0, 1});
+}
 
 /// y = x + k v, v = shelf(dc(allpass(z^-N y))).
 struct LoopDesign {
@@ -50,6 +58,16 @@ struct LoopDesign {
   double reflection_min = 0, reflection_max = 0;  ///< k: in contact, and free
 };
 
+template <class Archive>
+void fields(Archive& a, LoopDesign& o) {
+  constexpr Range kReflections{0, 0.9999};
+  a("N", o.delay_samples, Range{1, kMaxLoopDelay, "samples"});
+  a("allpass", o.allpass, Range{1e-12, 1e6});  // of each b, c and a
+  a("filters", o.filters);
+  a("k_min", o.reflection_min, kReflections);
+  a("k_max", o.reflection_max, kReflections);
+}
+
 /// What a design was made for. When it is no longer what the tool says, the design is out of date.
 struct DesignInput {
   Bar bar;
@@ -57,11 +75,26 @@ struct DesignInput {
 };
 bool operator==(const DesignInput& a, const DesignInput& b) noexcept;
 
+template <class Archive>
+void fields(Archive& a, DesignInput& o) {
+  fields(a, o.bar);
+  a("transversal", o.transversal);
+  a("longitudinal", o.longitudinal);
+}
+
 struct ToolDesign {
   double sample_rate = 0;
   LoopDesign transversal, longitudinal;
   DesignInput made_for;
 };
+
+template <class Archive>
+void fields(Archive& a, ToolDesign& o) {
+  a("rate", o.sample_rate, kSampleRates);
+  a("made_for", o.made_for);
+  a("transversal", o.transversal);
+  a("longitudinal", o.longitudinal);
+}
 
 /// One mode below 18 kHz (or 0.41 of the sample rate) as wanted and as the loop's pole has it, both with
 /// the reflection half-way between k_min and k_max.
@@ -72,12 +105,8 @@ struct TunedMode {
   double t60_s = 0;  ///< with k_max, the free tool
 };
 
-/// Refuses nonsense, so that nothing can go wrong while the tool plays. Throws std::invalid_argument with
-/// `KEY: what is wrong, what was expected`. Thread: OFF, CT.
+/// Refuses nonsense, so that nothing can go wrong while the tool plays. Throws InvalidField. Thread: OFF, CT.
 void require_valid(const ToolModel& model, double sample_rate);
-
-/// The same for loops that come from a file. Thread: OFF, CT.
-void require_valid(const ToolDesign& design);
 
 /// Designs both loops of `model` at `sample_rate` (Hz): milliseconds, the same bits on every machine.
 /// A designed tool's poles are within 1 cent of the bar's modes. Throws std::invalid_argument, with one

@@ -175,7 +175,7 @@ class Search {
 
 }  // namespace
 
-double mode_limit(double sample_rate) { return std::min(18000.0, 0.41 * sample_rate); }
+double mode_limit(double sample_rate) { return std::min(18000.0, kHighestMode * sample_rate); }
 
 double ideal_t60_samples(const ModeLaw& law, const LoopFilters& filters, double k, int mode,
                          double sample_rate) {

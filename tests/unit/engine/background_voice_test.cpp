@@ -292,4 +292,9 @@ TEST_CASE("a model that cannot be played is refused by name") {
   refused([](auto& m) { m.angle_samples = 5000; }, "N_theta");
   refused([](auto& m) { m.points[1].slot_variance.pop_back(); }, "v_hi");
   refused([](auto& m) { m.body_filter = {1.0F, -2.1F}; }, "stable");
+  refused([](auto& m) { m.points[1].slot_log_variance[3] = 2.5F; }, "points[1].s2: is 2.5, expected 0...2");
+  refused([](auto& m) { m.points[0].slot_correlation = 0.96; }, "points[0].rho: is 0.96, expected 0...0.95");
+  refused([](auto& m) { m.points[0].rpm = 299; }, "points[0].rpm: is 299 r/min, expected 300...4000 r/min");
+  refused([](auto& m) { m.hydraulic.flow = std::nan(""); }, "hydraulic.flow: is nan");
+  refused([](auto& m) { m.slots = 48; }, "L: is 48, expected a power of two");
 }

@@ -135,6 +135,17 @@ TEST_CASE("an unusable bank is refused by name when the player is built") {
   bank.mean_gap_samples = 0;
   CHECK_THROWS_WITH_AS(BankPlayer(bank, 1), doctest::Contains("T0"), std::invalid_argument);
   bank = flat_bank(0, 0.002);
+  bank.attack_samples = 100, bank.attack_bend = -1.01;  // exp(101) fills the attack with inf / inf
+  CHECK_THROWS_WITH_AS(BankPlayer(bank, 1),
+                       doctest::Contains("alpha_a: times N_a is -101, expected at least -100"),
+                       std::invalid_argument);
+  bank.attack_bend = -1;
+  CHECK_NOTHROW(BankPlayer(bank, 1));
+  bank = flat_bank(0, 0.002);
+  bank.gap_correlation = 0.991;
+  CHECK_THROWS_WITH_AS(BankPlayer(bank, 1), doctest::Contains("r_T: is 0.991, expected -0.99...0.99"),
+                       std::invalid_argument);
+  bank = flat_bank(0, 0.002);
   bank.clicks[0][7] = std::nanf("");
   CHECK_THROWS_AS(BankPlayer(bank, 1), std::invalid_argument);
   bank.clicks.clear();

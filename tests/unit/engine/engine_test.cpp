@@ -131,6 +131,15 @@ TEST_CASE("options and sound sets that cannot work are refused by name") {
   refused([](auto& o, auto&) { o.booms[0].tool = 3; }, "tool");
   refused([](auto& o, auto&) { o.scene.overfeed_bar = 10; }, "overfeed_bar");
   refused([](auto& o, auto&) { o.mix.ceiling_dbfs = 3; }, "ceiling_dbfs");
+  refused([](auto& o, auto&) { o.scene.crossfade_s = 12; }, "scene.crossfade_s: is 12 s, expected 0...10 s");
+  refused([](auto& o, auto&) { o.scene.contact_bar = 60; },
+          "scene.contact_bar: is 60 bar, expected less than");
+  refused([](auto& o, auto&) { o.booms[1].pan = -2; }, "boom[1].pan: is -2, expected -1...1");
+  refused(
+      [](auto& o, auto&) {
+        o.mix.equaliser = {{22000, 0, 1}};
+      },
+      "mix.equaliser[0].frequency_hz: is 22000");
   refused([](auto&, auto& s) { s.uses.erase(s.uses.begin()); }, "normal");
   refused([](auto&, auto& s) { s.banks[2].sample_rate = 44100; }, "rate");
 }

@@ -130,16 +130,23 @@ TEST_CASE("nonsense is refused when the tool is built") {
     CHECK(begins_with(complaint_after([&](ToolModel& m) { m.bar.length_m = length; }), "length_m: "));
   for (const double diameter : {0.0, 0.6, kNan})
     CHECK(begins_with(complaint_after([&](ToolModel& m) { m.bar.diameter_m = diameter; }), "diameter_m: "));
-  CHECK(begins_with(complaint_after([](ToolModel& m) { m.bar = {0.21, 0.075}; }), "diameter_m: too thick"));
+  CHECK(begins_with(complaint_after([](ToolModel& m) {
+                      m.bar = {0.21, 0.075};
+                    }),
+                    "diameter_m: is 0.075 m, too thick"));
   for (const double rate : {0.0, -48000.0, kNan, 1e9})
     CHECK(begins_with(complaint(ToolModel{}, rate), "rate: "));
-  CHECK(begins_with(complaint_after([](ToolModel& m) { m.transversal.reflection_max = 1; }), "k_max: "));
-  CHECK(begins_with(complaint_after([](ToolModel& m) { m.transversal.reflection_min = 0.95; }), "k_min: "));
-  CHECK(begins_with(complaint_after([](ToolModel& m) { m.strike.bounces = 5; }), "bounces: "));
-  CHECK(begins_with(complaint_after([](ToolModel& m) { m.strike.width_s = 0; }), "width_s: "));
-  CHECK(begins_with(complaint_after([](ToolModel& m) { m.voicing.highpass_hz = kNan; }), "highpass_hz: "));
-  CHECK(begins_with(complaint_after([](ToolModel& m) { m.voicing.equaliser.resize(7); }), "equaliser: "));
-  CHECK(begins_with(complaint_after([](ToolModel& m) { m.rods = {{2, {0, 0.02}}}; }), "length_m: "));
+  CHECK(begins_with(complaint_after([](ToolModel& m) { m.transversal.reflection_max = 1; }),
+                    "transversal.k_max: "));
+  CHECK(begins_with(complaint_after([](ToolModel& m) { m.transversal.reflection_min = 0.95; }),
+                    "transversal.k_min: "));
+  CHECK(begins_with(complaint_after([](ToolModel& m) { m.strike.bounces = 5; }), "strike.bounces: "));
+  CHECK(begins_with(complaint_after([](ToolModel& m) { m.strike.width_s = 0; }), "strike.width_s: "));
+  CHECK(begins_with(complaint_after([](ToolModel& m) { m.voicing.highpass_hz = kNan; }),
+                    "voicing.highpass_hz: "));
+  CHECK(begins_with(complaint_after([](ToolModel& m) { m.voicing.equaliser.resize(7); }),
+                    "voicing.equaliser: "));
+  CHECK(begins_with(complaint_after([](ToolModel& m) { m.rods = {{2, {0, 0.02}}}; }), "rods[0].length_m: "));
   CHECK(begins_with(complaint_after([](ToolModel& m) {
                       m.transversal.wish = {460, 0.1, 5000, 0.5};
                     }),
@@ -147,6 +154,11 @@ TEST_CASE("nonsense is refused when the tool is built") {
   CHECK(begins_with(complaint_after([](ToolModel& m) {
                       m.transversal.wish = {460, kNan, 5000, 0.5};
                     }),
-                    "t60: "));
-  CHECK(begins_with(complaint_after([](ToolModel& m) { m.kind = ToolKind::kPaper, m.paper.M = 65; }), "M: "));
+                    "transversal.t60.low_s: "));
+  CHECK(begins_with(complaint_after([](ToolModel& m) {
+                      m.transversal.wish = {460, 0, 5000, 0.5};
+                    }),
+                    "transversal.t60: is given in part"));
+  CHECK(begins_with(complaint_after([](ToolModel& m) { m.kind = ToolKind::kPaper, m.paper.M = 65; }),
+                    "paper.M: "));
 }

@@ -22,6 +22,14 @@ struct Provenance {
   std::string tool_version;   ///< of the program that wrote it
 };
 
+template <class Archive>
+void fields(Archive& a, Provenance& o) {
+  a("source_file", o.source_file);
+  a("source_sha256", o.source_sha256);
+  a("settings", o.settings);
+  a("tool_version", o.tool_version);
+}
+
 struct StoredBank {
   ClickBank bank;
   Provenance provenance;

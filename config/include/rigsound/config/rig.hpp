@@ -19,6 +19,12 @@ struct ControlOptions {
   std::string metrics;                                ///< HOST:PORT for OpenMetrics; empty: off
 };
 
+template <class Archive>
+void fields(Archive& a, ControlOptions& o) {
+  a("socket", o.socket);
+  a("metrics", o.metrics);
+}
+
 /// Every option checked, every path absolute or relative to the working directory.
 struct Rig {
   std::filesystem::path file;

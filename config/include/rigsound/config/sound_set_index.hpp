@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "rigsound/machine/fields.hpp"
 #include "rigsound/machine/situation.hpp"
 
 namespace rigsound::config {
@@ -13,11 +14,21 @@ namespace rigsound::config {
 struct BankEntry {
   std::string name;  ///< folder under banks/
   Situation situation = Situation::kNormal;
-  int rods = 0;        ///< 1...20, the rod count it was recorded with; 0: any
+  int rods = 0;        ///< the rod count it was recorded with; 0: any
   std::string rock;    ///< name of a [[rock]]; empty: any
-  double gain_db = 0;  ///< trim on top of the bank's own gain, -60...24 dB
+  double gain_db = 0;  ///< trim on top of the bank's own gain
   int line = 0;        ///< in soundset.toml, for messages; 0 when made in memory
 };
+
+constexpr Range kRodCounts = Range{1, 20}.or_zero(), kBankTrims{-60, 24, "dB"};
+
+/// Everything but the name and the situation, which every entry has.
+template <class Archive>
+void fields(Archive& a, BankEntry& o) {
+  a("rods", o.rods, kRodCounts);
+  a("rock", o.rock);
+  a("gain_db", o.gain_db, kBankTrims);
+}
 
 struct SoundSetIndex {
   std::vector<BankEntry> banks;

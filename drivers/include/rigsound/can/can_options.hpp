@@ -24,4 +24,11 @@ struct CanOptions {
   std::vector<SignalRoute> routes;
 };
 
+/// Everything but the routes.
+template <class Archive>
+void fields(Archive& a, CanOptions& o) {
+  a("interface", o.interface);
+  a("fd", o.fd);
+}
+
 }  // namespace rigsound::can

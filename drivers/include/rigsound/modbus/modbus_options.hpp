@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "rigsound/machine/limits.hpp"
 #include "rigsound/machine/signal.hpp"
 
 namespace rigsound::modbus {
@@ -15,6 +16,23 @@ enum class Table : std::uint8_t { kHolding, kInput, kCoil, kDiscrete };
 enum class WordType : std::uint8_t { kInt16, kUint16, kInt32, kUint32, kFloat32 };
 enum class WordOrder : std::uint8_t { kAbcd, kCdab, kBadc, kDcba };
 
+constexpr Word<Role> kRoles[] = {{"server", Role::kServer}, {"client", Role::kClient}};
+constexpr Word<Transport> kTransports[] = {{"tcp", Transport::kTcp}, {"rtu", Transport::kRtu}};
+constexpr Word<Table> kTables[] = {{"holding", Table::kHolding},
+                                   {"input", Table::kInput},
+                                   {"coil", Table::kCoil},
+                                   {"discrete", Table::kDiscrete}};
+constexpr Word<WordType> kWordTypes[] = {{"int16", WordType::kInt16},
+                                         {"uint16", WordType::kUint16},
+                                         {"int32", WordType::kInt32},
+                                         {"uint32", WordType::kUint32},
+                                         {"float32", WordType::kFloat32}};
+constexpr Word<WordOrder> kWordOrders[] = {{"ABCD", WordOrder::kAbcd},
+                                           {"CDAB", WordOrder::kCdab},
+                                           {"BADC", WordOrder::kBadc},
+                                           {"DCBA", WordOrder::kDcba}};
+constexpr Word<char> kParities[] = {{"none", 'N'}, {"even", 'E'}, {"odd", 'O'}};
+
 /// One machine signal in a register (or two) or a bit.
 struct RegisterRoute {
   SignalId target{};
@@ -24,6 +42,17 @@ struct RegisterRoute {
   WordOrder order = WordOrder::kAbcd;  ///< byte order inside the value, registers only
   double scale = 1, offset = 0;        ///< value = raw * scale + offset
 };
+
+/// Everything but the target.
+template <class Archive>
+void fields(Archive& a, RegisterRoute& o) {
+  a("table", o.table, kTables);
+  a("address", o.address, Range{0, 65535});
+  a("type", o.type, kWordTypes);
+  a("word_order", o.order, kWordOrders);
+  a("scale", o.scale, kBusScales);
+  a("offset", o.offset, kBusScales);
+}
 
 /// An IPv4 or IPv6 network that may connect, as written: "127.0.0.0/8", "::1/128", "192.168.1.5".
 struct Network {
@@ -38,14 +67,28 @@ struct ModbusOptions {
   std::string address = "127.0.0.1:1502";  ///< tcp: HOST:PORT or [V6]:PORT; rtu: the serial device
   std::string host = "127.0.0.1";          ///< tcp: taken from `address`
   int port = 1502;                         ///< tcp: taken from `address`
-  int unit = 255;                          ///< 1...247; 255 on TCP: any
+  int unit = 255;                          ///< below 248; 255, on TCP only: any
   double poll_s = 0.1;                     ///< client: time between two readings of a register
   double timeout_s = 0.5;                  ///< client: longest wait for an answer
   std::vector<Network> allow;              ///< server: who may connect; loopback when the rig says nothing
   int baud = 19200;                        ///< rtu
-  char parity = 'E';                       ///< rtu: N, E, O
-  int stop_bits = 1;                       ///< rtu: 1, 2
+  char parity = 'E';                       ///< rtu
+  int stop_bits = 1;                       ///< rtu
   std::vector<RegisterRoute> routes;
 };
+
+/// Everything but the networks and the routes.
+template <class Archive>
+void fields(Archive& a, ModbusOptions& o) {
+  a("role", o.role, kRoles);
+  a("transport", o.transport, kTransports);
+  a("address", o.address);
+  a("unit", o.unit, Range{1, 255});
+  a("poll_s", o.poll_s, Range{0.005, 60, "s"});
+  a("timeout_s", o.timeout_s, Range{0.01, 60, "s"});
+  a("baud", o.baud, Range{300, 4000000, "bit/s"});
+  a("parity", o.parity, kParities);
+  a("stop_bits", o.stop_bits, Range{1, 2});
+}
 
 }  // namespace rigsound::modbus

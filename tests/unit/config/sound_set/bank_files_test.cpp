@@ -102,15 +102,15 @@ TEST_CASE("wrong numbers are refused with file, line and key") {
     CHECK(complaint(load) == json.string() + expected);
     std::ofstream(json, std::ios::binary) << good;
   };
-  refused("\"T0\": 1600.0", "\"T0\": -1",
-          ":4: T0: -1 is out of range, expected a number from 16 to 10000000");
+  refused("\"T0\": 1600.0", "\"T0\": -1", ":4: T0: is -1 samples, expected 40...192000 samples");
   refused("\"T0\"", "\"T_0\"", ":1: T0: is missing");
-  refused("1600.0", "\"fast\"", ":4: T0: is string, expected a number from 16 to 10000000");
+  refused("1600.0", "\"fast\"", ":4: T0: is text, expected a number, 40...192000 samples");
   refused("\"format\": 1", "\"format\": 7", ":2: format: version 7 is not known, expected 1");
-  refused("\"T0\": 1600.0", "\"T0\": 100",
-          ":4: T0: 100 is out of range, expected a number from 240 to 48000");
-  refused("\"sigma_T\": ", "\"sigma_T\": 99",
-          ":5: sigma_T: 9994.117647 is out of range, expected a number from 0 to 3200");
+  refused("\"T0\": 1600.0", "\"T0\": 100", ":4: T0: is 100 samples, expected 240...48000 samples");
+  refused("\"sigma_T\": ", "\"sigma_T\": 99", ":5: sigma_T: is 9994.117647, expected at most 2 T0, 3200");
+  refused("\"alpha_a\": 0.00125", "\"alpha_a\": -3",
+          ":13: alpha_a: times N_a is -144, expected at least -100: no number is as large as the attack's "
+          "exponential");
   refused("1600.0,", "1600.0", ":5: is not valid JSON here");
   replace(json, "48000", "44100");
   CHECK(complaint(load) == (set.path / "banks/x/clicks.wav").string() +
