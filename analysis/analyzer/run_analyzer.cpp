@@ -102,9 +102,7 @@ void merge(const std::vector<AnalysedPart>& banks, const fs::path& sound_set) {
     entry.name = b.part.bank, entry.situation = label.situation, entry.rods = label.rods,
     entry.rock = label.rock;
     additions.banks.push_back(entry);
-    if (!label.rock.empty() &&
-        std::find(additions.rocks.begin(), additions.rocks.end(), label.rock) == additions.rocks.end())
-      additions.rocks.push_back(label.rock);
+    if (!label.rock.empty()) additions.rocks.push_back({label.rock});  // one named twice is added once
   }
   FileLock lock(sound_set / ".index.lock");
   lock.wait_exclusive();

@@ -1,11 +1,13 @@
 #include "sound_set/index_text.hpp"
 
 #include "rigsound/machine/fields.hpp"
+#include "toml/toml_writer.hpp"
 
 namespace rigsound::config {
 
 std::string index_preamble() {
-  const std::string rods = kRodCounts.text(), trims = kBankTrims.text();
+  const std::string rods = kRodCounts.text(), trims = kBankTrims.text(),
+                    pressures = kRecordedPressures.text(), stiffness = kRockStiffnesses.text();
   return R"(# What this sound set plays, and when. Written by rigsound, meant to be edited: rigsound only ever adds
 # entries at the end and leaves everything else as it finds it.
 #
@@ -15,12 +17,18 @@ std::string index_preamble() {
 #   rods       rod count it was recorded with, )" +
          rods + R"(; 0 serves any count
 #   rock       name of a [[rock]] below; "" serves any rock
+#   feed_bar, percussion_bar   pressures it was recorded at, )" +
+         pressures + R"(; 0: where the rig's
+#              thresholds put its situation, the rig's nominal one
 #   gain_db    trim against the other banks, )" +
          trims + R"(
 # A bank may serve several situations: give it one [[bank]] each. Of several that fit, the nearest in
 # rods and rock is played.
 #
-# [[rock]] names a rock. The machine signal `rock` counts them from 0 in this order.
+# [[rock]] names a rock. The machine signal `rock` counts them from 0 in this order. stiffness, )" +
+         stiffness + R"(:
+# of the bit in it; a drill string rings the longer the softer the rock.
+# [[laws]] says how the clicks of some rods and rock go on beyond the outermost banks: slopes over the feed, 1/bar.
 # [[tool]] is a steel, tools/NAME.json. [[background]] is a diesel, backgrounds/NAME.
 
 format = 1
@@ -29,9 +37,14 @@ format = 1
 
 std::string index_bank_text(const BankEntry& entry) {
   return "\n[[bank]]\nname = \"" + entry.name + "\"\nsituation = \"" + std::string(name(entry.situation)) +
-         "\"\nrods = " + std::to_string(entry.rods) + "\nrock = \"" + entry.rock +
-         "\"\ngain_db = " + number_text(entry.gain_db) + "\n";
+         "\"\n" + toml_text(entry);
 }
+
+std::string index_rock_text(const RockEntry& rock) {
+  return index_name_text("rock", rock.name) + toml_text(rock);
+}
+
+std::string index_laws_text(const LawsEntry& laws) { return "\n[[laws]]\n" + toml_text(laws); }
 
 std::string index_name_text(std::string_view kind, std::string_view name) {
   return "\n[[" + std::string(kind) + "]]\nname = \"" + std::string(name) + "\"\n";

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/device_error.hpp"
@@ -28,6 +29,24 @@ std::string new_names(const fs::path& file, std::string_view kind, const std::ve
   return text;
 }
 
+std::string new_rocks(const fs::path& file, const std::vector<RockEntry>& known,
+                      const std::vector<RockEntry>& wanted) {
+  std::string text;
+  std::set<std::string> listed;
+  for (const RockEntry& rock : known) listed.insert(rock.name);
+  for (const RockEntry& rock : wanted) {
+    require_name(file, "rock", rock.name);
+    if (listed.insert(rock.name).second) text += index_rock_text(rock);
+  }
+  return text;
+}
+
+bool lists(const SoundSetIndex& index, const LawsEntry& wanted) {
+  return std::any_of(index.laws.begin(), index.laws.end(), [&](const LawsEntry& entry) {
+    return entry.laws.rods == wanted.laws.rods && entry.rock == wanted.rock;
+  });
+}
+
 bool lists(const SoundSetIndex& index, const BankEntry& wanted) {
   return std::any_of(index.banks.begin(), index.banks.end(), [&](const BankEntry& entry) {
     return entry.name == wanted.name && entry.situation == wanted.situation;
@@ -48,13 +67,15 @@ void merge_index(const fs::path& sound_set, const SoundSetIndex& additions) {
   const bool exists = fs::exists(file, error);
   const SoundSetIndex index = exists ? load_index(sound_set) : SoundSetIndex{};
 
-  std::string added = new_names(file, "rock", index.rocks, additions.rocks) +
+  std::string added = new_rocks(file, index.rocks, additions.rocks) +
                       new_names(file, "tool", index.tools, additions.tools) +
                       new_names(file, "background", index.backgrounds, additions.backgrounds);
   for (const BankEntry& entry : additions.banks) {
     require_name(file, "bank", entry.name);
     if (!lists(index, entry)) added += index_bank_text(entry);
   }
+  for (const LawsEntry& entry : additions.laws)
+    if (!lists(index, entry)) added += index_laws_text(entry);
   if (exists && added.empty()) return;
 
   make_folder(sound_set);

@@ -16,7 +16,9 @@ namespace {
 
 int rock_index(const SoundSetIndex& index, const std::string& rock) {
   if (rock.empty()) return -1;
-  return static_cast<int>(std::find(index.rocks.begin(), index.rocks.end(), rock) - index.rocks.begin());
+  const auto found = std::find_if(index.rocks.begin(), index.rocks.end(),
+                                  [&](const RockEntry& entry) { return entry.name == rock; });
+  return static_cast<int>(found - index.rocks.begin());
 }
 
 void require_every_situation(const fs::path& file, const SoundSetIndex& index) {
@@ -64,11 +66,15 @@ SoundSet load_sound_set(const fs::path& sound_set, double sample_rate) {
   const fs::path index_file = sound_set / "soundset.toml";
   require_every_situation(index_file, index);
   SoundSet set;
-  for (const std::string& rock : index.rocks) set.rocks.push_back({rock});
+  for (const RockEntry& rock : index.rocks) set.rocks.push_back({rock.name, rock.stiffness});
+  for (const LawsEntry& entry : index.laws) {
+    set.laws.push_back(entry.laws);
+    set.laws.back().rock = rock_index(index, entry.rock);
+  }
   BankShelf shelf(sound_set / "banks", index_file, sample_rate);
   for (const BankEntry& entry : index.banks)
-    set.uses.push_back(
-        {entry.situation, entry.rods, rock_index(index, entry.rock), shelf.place(entry, set.banks)});
+    set.uses.push_back({entry.situation, entry.rods, rock_index(index, entry.rock),
+                        shelf.place(entry, set.banks), entry.feed_bar, entry.percussion_bar});
   for (const std::string& tool : index.tools)
     set.tools.push_back(load_tool(sound_set / "tools" / (tool + ".json")));
   for (const std::string& background : index.backgrounds)

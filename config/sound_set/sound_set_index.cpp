@@ -25,15 +25,20 @@ std::string read_name(TomlTable& table) {
   return name;
 }
 
-BankEntry read_bank(TomlTable& table, const std::vector<std::string>& rocks) {
+void require_named(const TomlTable& table, const std::string& rock, const std::vector<RockEntry>& rocks) {
+  const bool named = rock.empty() || std::any_of(rocks.begin(), rocks.end(),
+                                                 [&](const RockEntry& entry) { return entry.name == rock; });
+  if (!named) table.fail("rock", "\"" + rock + "\" is not named by any [[rock]] of this file");
+}
+
+BankEntry read_bank(TomlTable& table, const std::vector<RockEntry>& rocks) {
   BankEntry entry;
   entry.line = table.line_of("name");
   entry.name = read_name(table);
   table.required_text("situation", "one of " + list_of(kSituationWords));
   entry.situation = table.word("situation", Situation::kNormal, kSituationWords);
   read(table, entry);
-  if (!entry.rock.empty() && std::find(rocks.begin(), rocks.end(), entry.rock) == rocks.end())
-    table.fail("rock", "\"" + entry.rock + "\" is not named by any [[rock]] of this file");
+  require_named(table, entry.rock, rocks);
   table.refuse_unknown();
   return entry;
 }
@@ -50,6 +55,28 @@ std::vector<std::string> read_names(TomlTable& root, std::string_view key) {
   return names;
 }
 
+std::vector<RockEntry> read_rocks(TomlTable& root) {
+  std::vector<RockEntry> rocks;
+  for (TomlTable& table : root.tables("rock")) {
+    RockEntry rock;
+    rock.name = read_name(table);
+    for (const RockEntry& other : rocks)
+      if (other.name == rock.name) table.fail("name", "\"" + rock.name + "\" is listed twice");
+    read(table, rock);
+    table.refuse_unknown();
+    rocks.push_back(rock);
+  }
+  return rocks;
+}
+
+LawsEntry read_laws(TomlTable& table, const std::vector<RockEntry>& rocks) {
+  LawsEntry entry;
+  read(table, entry);
+  require_named(table, entry.rock, rocks);
+  table.refuse_unknown();
+  return entry;
+}
+
 }  // namespace
 
 SoundSetIndex load_index(const std::filesystem::path& sound_set) {
@@ -62,9 +89,10 @@ SoundSetIndex load_index(const std::filesystem::path& sound_set) {
     root.fail("format", "version " + std::to_string(format) + " is not known, expected " +
                             std::to_string(kIndexFormat));
   SoundSetIndex index;
-  index.rocks = read_names(root, "rock");
+  index.rocks = read_rocks(root);
   index.tools = read_names(root, "tool");
   index.backgrounds = read_names(root, "background");
+  for (TomlTable& table : root.tables("laws")) index.laws.push_back(read_laws(table, index.rocks));
   for (TomlTable& table : root.tables("bank")) index.banks.push_back(read_bank(table, index.rocks));
   root.refuse_unknown();
   return index;

@@ -43,6 +43,13 @@ class TomlReader {
   void operator()(const char* key, E& value, const Word<E> (&words)[N]) {
     value = table_.word(key, value, words);
   }
+  template <class Struct>
+  void operator()(const char* key, Struct& group) {
+    TomlTable inner = table_.table(key);
+    TomlReader reader(inner);
+    fields(reader, group);
+    inner.refuse_unknown();
+  }
   template <class Item>
   void operator()(const char* key, std::vector<Item>& list) {
     for (TomlTable& item : table_.tables(key)) {

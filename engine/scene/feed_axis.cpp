@@ -42,11 +42,11 @@ FeedLaws laws_between(const ClickBank& a, const ClickBank& b, double bar) noexce
 }  // namespace
 
 FeedPoints feed_points(const SceneOptions& o) noexcept {
-  const auto point = [](double given, double otherwise) { return given >= 0 ? given : otherwise; };
+  const auto point = [](double given, double otherwise) { return given > 0 ? given : otherwise; };
   FeedPoints points{};
-  points.underfeed = point(o.underfeed_point_bar, 0.5 * (o.contact_bar + o.underfeed_bar));
-  points.normal = point(o.normal_point_bar, 0.5 * (o.underfeed_bar + o.overfeed_bar));
-  points.overfeed = point(o.overfeed_point_bar, 2 * o.overfeed_bar - points.normal);
+  points.underfeed = point(o.feed_points.underfeed, 0.5 * (o.contact_bar + o.underfeed_bar));
+  points.normal = point(o.feed_points.normal, 0.5 * (o.underfeed_bar + o.overfeed_bar));
+  points.overfeed = point(o.feed_points.overfeed, 2 * o.overfeed_bar - points.normal);
   return points;
 }
 
@@ -76,7 +76,7 @@ FeedAxis::FeedAxis(const SoundSet& sounds, const SceneOptions& options)
 FeedAxis::Series FeedAxis::series_of(int rods, int rock) const {
   Series series{rods, {}, {}, {}};
   const auto place_of = [&](const BankUse& use) {
-    if (use.feed_bar >= 0) return use.feed_bar;
+    if (use.feed_bar > 0) return use.feed_bar;
     return use.situation == Situation::kUnderfeed  ? points_.underfeed
            : use.situation == Situation::kOverfeed ? points_.overfeed
                                                    : points_.normal;
@@ -89,7 +89,7 @@ FeedAxis::Series FeedAxis::series_of(int rods, int rock) const {
     for (const BankUse& use : sounds_->uses)
       if (use.situation == s && distance(use, rods, rock) == nearest)
         series.points.push_back(
-            {place_of(use), use.percussion_bar >= 0 ? use.percussion_bar : options_.percussion_nominal_bar,
+            {place_of(use), use.percussion_bar > 0 ? use.percussion_bar : options_.percussion_nominal_bar,
              use.bank});
   }
   std::stable_sort(series.points.begin(), series.points.end(),

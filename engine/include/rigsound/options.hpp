@@ -10,6 +10,7 @@
 namespace rigsound {
 
 constexpr Range kLayerGain{-60, 24, "dB"};
+constexpr Range kFeedPressures{0, 300, "bar"};
 
 struct BoomOptions {
   std::string name = "boom";
@@ -25,6 +26,18 @@ void fields(Archive& a, BoomOptions& o) {
   a("gain_db", o.gain_db, kLayerGain);
 }
 
+/// Feed pressure of banks that do not name theirs; 0: where the thresholds put their situation.
+struct FeedPointOptions {
+  double underfeed = 0, normal = 0, overfeed = 0;
+};
+
+template <class Archive>
+void fields(Archive& a, FeedPointOptions& o) {
+  a("underfeed", o.underfeed, kFeedPressures.or_zero());
+  a("normal", o.normal, kFeedPressures.or_zero());
+  a("overfeed", o.overfeed, kFeedPressures.or_zero());
+}
+
 /// When a drill is in which situation: contact < underfeed <= overfeed.
 struct SceneOptions {
   double contact_bar = 15;              ///< over it the bit touches the rock
@@ -36,20 +49,22 @@ struct SceneOptions {
   double open_sustain_db = -14;         ///< level after the burst
   double response_s = 0.08;             ///< time constant with which the drill follows the feed pressure
   double percussion_nominal_bar = 150;  ///< percussion pressure of banks that do not name theirs
-  /// Feed pressure of banks that do not name theirs, bar; negative: the middle of their situation's band.
-  double underfeed_point_bar = -1, normal_point_bar = -1, overfeed_point_bar = -1;
+  FeedPointOptions feed_points;
   double idle_rpm = 800;  ///< diesel at rest; under half of it the diesel is starting or stopping
 };
 
 template <class Archive>
 void fields(Archive& a, SceneOptions& o) {
-  a("contact_bar", o.contact_bar, Range{0, 300, "bar"});
-  a("underfeed_bar", o.underfeed_bar, Range{0, 300, "bar"});
-  a("overfeed_bar", o.overfeed_bar, Range{0, 300, "bar"});
+  a("contact_bar", o.contact_bar, kFeedPressures);
+  a("underfeed_bar", o.underfeed_bar, kFeedPressures);
+  a("overfeed_bar", o.overfeed_bar, kFeedPressures);
   a("hysteresis_bar", o.hysteresis_bar, Range{0, 100, "bar"});
   a("crossfade_s", o.crossfade_s, Range{0, 10, "s"});
   a("open_burst_s", o.open_burst_s, Range{0, 10, "s"});
   a("open_sustain_db", o.open_sustain_db, Range{-60, 0, "dB"});
+  a("response_s", o.response_s, Range{0, 10, "s"});
+  a("percussion_nominal_bar", o.percussion_nominal_bar, Range{10, 300, "bar"});
+  a("feed_points", o.feed_points);
   a("idle_rpm", o.idle_rpm, kIdleSpeeds);
 }
 

@@ -18,7 +18,7 @@ struct BankUse {
   int rock = -1;         ///< index into SoundSet::rocks; -1: any
   int bank = 0;          ///< index into SoundSet::banks
   double feed_bar = -1;  ///< feed pressure it was recorded at; negative: its situation's place in the scene
-  double percussion_bar = -1;  ///< percussion pressure it was recorded at; negative: the scene's nominal one
+  double percussion_bar = 0;  ///< percussion pressure it was recorded at; 0: the scene's nominal one
 };
 
 /// How the clicks of one rod count and rock change with the feed pressure, learned from a series of banks:

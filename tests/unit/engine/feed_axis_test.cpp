@@ -38,7 +38,7 @@ TEST_CASE("a bank without a feed of its own stands where the thresholds put its 
   CHECK(points.normal == doctest::Approx((60 + 120) / 2.0));
   CHECK(points.overfeed == doctest::Approx(120 + (120 - 90)));
   SceneOptions given;
-  given.overfeed_point_bar = 170;
+  given.feed_points.overfeed = 170;
   CHECK(scene::feed_points(given).overfeed == 170);
   CHECK(points.deviation(90) == 0);
   CHECK(points.deviation(150) == doctest::Approx(1));

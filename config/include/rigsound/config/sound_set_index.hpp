@@ -7,6 +7,7 @@
 
 #include "rigsound/machine/fields.hpp"
 #include "rigsound/machine/situation.hpp"
+#include "rigsound/sound_set.hpp"
 
 namespace rigsound::config {
 
@@ -14,12 +15,16 @@ namespace rigsound::config {
 struct BankEntry {
   std::string name;  ///< folder under banks/
   Situation situation = Situation::kNormal;
-  int rods = 0;        ///< the rod count it was recorded with; 0: any
-  std::string rock;    ///< name of a [[rock]]; empty: any
-  double gain_db = 0;  ///< trim on top of the bank's own gain
-  int line = 0;        ///< in soundset.toml, for messages; 0 when made in memory
+  int rods = 0;               ///< the rod count it was recorded with; 0: any
+  std::string rock;           ///< name of a [[rock]]; empty: any
+  double feed_bar = 0;        ///< feed pressure it was recorded at; 0: its situation's place in the scene
+  double percussion_bar = 0;  ///< percussion pressure it was recorded at; 0: the scene's nominal one
+  double gain_db = 0;         ///< trim on top of the bank's own gain
+  int line = 0;               ///< in soundset.toml, for messages; 0 when made in memory
 };
 
+constexpr Range kRecordedPressures = Range{1, 300, "bar"}.or_zero();
+constexpr Range kRockStiffnesses{1e6, 1e11, "N/m"};
 constexpr Range kRodCounts = Range{1, 20}.or_zero(), kBankTrims{-60, 24, "dB"};
 
 /// Everything but the name and the situation, which every entry has.
@@ -27,12 +32,44 @@ template <class Archive>
 void fields(Archive& a, BankEntry& o) {
   a("rods", o.rods, kRodCounts);
   a("rock", o.rock);
+  a("feed_bar", o.feed_bar, kRecordedPressures);
+  a("percussion_bar", o.percussion_bar, kRecordedPressures);
   a("gain_db", o.gain_db, kBankTrims);
+}
+
+/// One [[rock]].
+struct RockEntry {
+  std::string name;
+  double stiffness = Rock{}.stiffness;  ///< loading stiffness of the bit in it
+};
+
+template <class Archive>
+void fields(Archive& a, RockEntry& o) {
+  a("stiffness", o.stiffness, kRockStiffnesses);
+}
+
+/// One [[laws]]: how the clicks of a rod count and a rock go on beyond the outermost banks, a bar of feed.
+struct LawsEntry {
+  std::string rock;  ///< name of a [[rock]]; empty: any
+  FeedLaws laws;
+};
+
+template <class Archive>
+void fields(Archive& a, LawsEntry& o) {
+  constexpr Range kSlopes{-1, 1, "1/bar"};
+  a("rods", o.laws.rods, kRodCounts);
+  a("rock", o.rock);
+  a("ln_gap", o.laws.ln_gap, kSlopes);
+  a("ln_level", o.laws.ln_level, kSlopes);
+  a("ln_decay", o.laws.ln_decay, kSlopes);
+  a("gap_variation", o.laws.gap_variation, kSlopes);
+  a("amplitude_variation", o.laws.amplitude_variation, kSlopes);
 }
 
 struct SoundSetIndex {
   std::vector<BankEntry> banks;
-  std::vector<std::string> rocks;        ///< in the order the machine signal `rock` counts them
+  std::vector<LawsEntry> laws;
+  std::vector<RockEntry> rocks;          ///< in the order the machine signal `rock` counts them
   std::vector<std::string> tools;        ///< tools/NAME.json
   std::vector<std::string> backgrounds;  ///< backgrounds/NAME
 };

@@ -42,7 +42,7 @@ TEST_CASE("a merged index keeps comments and hand edits and adds only what is ne
   CHECK(content(file) == text);
 
   more = {};
-  more.rocks = {"granite"};
+  more.rocks = {{"granite"}};
   more.banks.push_back({"b", Situation::kOverfeed, 3, "granite", 1.25, 0});
   config::merge_index(set.path, more);
   CHECK(content(file).substr(0, text.size()) == text);
@@ -59,7 +59,7 @@ TEST_CASE("a sound set loads at the engine's rate, each bank once, its trims add
   config::save_bank(set.path, example_bank("a", 44100), {});
   config::save_bank(set.path, example_bank("b", 48000), {});
   config::SoundSetIndex index = five_situations("a");
-  index.rocks = {"granite", "limestone"};
+  index.rocks = {{"granite"}, {"limestone", 3e8}};
   index.banks.push_back({"b", Situation::kNormal, 2, "limestone", -4, 0});
   ToolModel tool;
   tool.name = "hex25";
@@ -86,6 +86,8 @@ TEST_CASE("a sound set loads at the engine's rate, each bank once, its trims add
   REQUIRE(loaded.rocks.size() == 2);
   CHECK(loaded.rocks[0].name == "granite");
   CHECK(loaded.rocks[1].name == "limestone");
+  CHECK(loaded.rocks[1].stiffness == 3e8);
+  CHECK(loaded.rocks[1].stiffness == 3e8);
   REQUIRE(loaded.tools.size() == 1);
   CHECK(loaded.tools[0].bar.length_m == 0.45);
   REQUIRE(loaded.diesels.size() == 1);
