@@ -46,18 +46,3 @@ TEST_CASE("a labelled part is the same as its stretch cut out") {
   REQUIRE(result.banks.size() == 2);
   CHECK(read_text(at / "set/banks/cut/clicks.wav") == read_text(at / "set/banks/long_02000ms/clicks.wav"));
 }
-
-TEST_CASE("a strike or two in a minute of something else are no drilling") {
-  const Workplace at;
-  fs::create_directories(at / "in");
-  SplitMix stream(9);
-  std::vector<double> mostly_noise = stream.normals(24 * 48000);
-  for (double& v : mostly_noise) v *= 1e-3;
-  const std::vector<double> drilling = drillbench_clip(103, 4).clean;
-  for (std::size_t n = 0; n < drilling.size(); ++n) mostly_noise[n + 4 * 48000] += 0.05 * drilling[n];
-  write_wave(at / "in/rare.wav", mostly_noise, 48000);
-  const AnalyzerResult result = run_analyzer(options_for(at, "set"), {});
-  CHECK(result.banks.empty());
-  REQUIRE(result.failures.size() == 1);
-  CHECK(result.failures[0].find("in 1 of 6 segments") != std::string::npos);
-}
