@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "rigsound/analysis/recording.hpp"
 #include "rigsound/machine/input_error.hpp"
