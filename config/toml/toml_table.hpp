@@ -27,9 +27,6 @@ class TomlTable {
   bool has(std::string_view key) const { return table_->contains(key); }
   void expect(std::string_view key) { known(key); }  ///< marks a key as known
   double number(std::string_view key, double otherwise, const Range& range);
-  double number(std::string_view key, double otherwise, double min, double max) {
-    return number(key, otherwise, Range{min, max});
-  }
   int integer(std::string_view key, int otherwise, const Range& range);
   bool flag(std::string_view key, bool otherwise);
   std::string text(std::string_view key, std::string_view otherwise);

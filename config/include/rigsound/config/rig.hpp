@@ -32,7 +32,7 @@ struct Rig {
   EngineOptions engine;                 ///< BoomOptions::tool is filled in by load_sounds
   std::filesystem::path sound_set;      ///< empty when the rig names none
   int sound_set_line = 0;               ///< of the rig file, for messages
-  std::vector<std::string> boom_tools;  ///< names, one a boom; empty: no steel of its own
+  std::vector<std::string> boom_tools;  ///< names, one a boom; empty: none that rings
   std::vector<int> boom_tool_lines;
   SafetyOptions safety;
   std::vector<can::CanOptions> can;
@@ -48,7 +48,7 @@ Rig load_rig(const std::filesystem::path& file);
 /// The same from text; `file` is for messages and for paths relative to its folder.
 Rig parse_rig(std::string_view text, const std::filesystem::path& file);
 
-/// Reads the rig's sound set at the rig's rate and finds the steel of each boom in it. A set without a
+/// Reads the rig's sound set at the rig's rate and finds the tool of each boom in it. A set without a
 /// background gets the built-in diesel: a rig whose engine runs is never silent.
 /// Errors: InputError, also when the rig names no sound set. Thread: OFF.
 SoundSet load_sounds(Rig& rig);

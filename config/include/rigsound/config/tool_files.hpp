@@ -1,4 +1,4 @@
-// A steel on disk: tools/NAME.json.
+// A tool on disk: tools/NAME.json.
 #pragma once
 
 #include <filesystem>

@@ -56,20 +56,25 @@ class KeyList {
   std::vector<Key> keys_;
 };
 
-/// The text of every table of demo.toml that bears `name`, those that are switched off too.
+/// The text of every table of demo.toml that bears `name`, those that are switched off too, with the comment
+/// above its heading.
 std::vector<std::string> tables_of_demo(const std::string& name) {
   std::vector<std::string> tables;
   std::istringstream lines(content(kDemo));
   const std::regex heading(R"(^(#: )?\[+([a-z.]+)\]+$)");
   bool inside = false;
+  std::string comment;
   std::smatch found;
   for (std::string line; std::getline(lines, line);) {
-    if (std::regex_match(line, found, heading)) {
-      inside = found[2] == name;
-      if (inside) tables.emplace_back();
-    } else if (inside) {
-      tables.back() += line + "\n";
+    const bool is_heading = std::regex_match(line, found, heading);
+    if (line.rfind("# ", 0) == 0) {
+      comment += line + "\n";
+      continue;
     }
+    if (is_heading) inside = found[2] == name;
+    if (is_heading && inside) tables.emplace_back();
+    if (inside) tables.back() += comment + line + "\n";
+    comment.clear();
   }
   return tables;
 }
@@ -150,9 +155,19 @@ TEST_CASE("demo.toml names every key of every list once a table, with its range 
   require_named("boom", KeyList::of<BoomOptions>({"tool"}));
   require_named("scene", KeyList::of<SceneOptions>());
   require_named("mix", KeyList::of<MixOptions>());
+  require_named("safety", KeyList::of<SafetyOptions>());
   require_named("can", KeyList::of<can::CanOptions>({"dbc", "j1939"}));
   require_named("modbus", KeyList::of<modbus::ModbusOptions>({"allow"}));
   require_named("control", KeyList::of<config::ControlOptions>());
+}
+
+TEST_CASE("demo.toml explains the rule of a signal") {
+  const std::string safety = tables_of_demo("safety").at(0);
+  for (const Key& key : KeyList::of<SafetyRule>()) {
+    INFO(key.name);
+    CHECK(count_of(key.name, safety) >= 1);
+    for (const std::string& text : key.explained) CHECK(safety.find(text) != std::string::npos);
+  }
 }
 
 TEST_CASE("demo.toml explains every key of a Modbus register") {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "rigsound/machine/limits.hpp"
 #include "rigsound/machine/signal_list.hpp"
 
 namespace rigsound {
@@ -29,15 +30,32 @@ std::string_view name(Validity v);
 /// quiet, or fade the whole rig out.
 enum class SafetyAction : std::uint8_t { kHold, kIdle, kMute };
 
+constexpr Word<SafetyAction> kSafetyActions[] = {
+    {"hold", SafetyAction::kHold}, {"idle", SafetyAction::kIdle}, {"mute", SafetyAction::kMute}};
+
+constexpr Range kStaleAges{0, 3600, "s"};
+
 struct SafetyRule {
   double stale_after_s = 0;  ///< age at which the signal goes stale; 0: never
   SafetyAction action = SafetyAction::kHold;
 };
+
+template <class Archive>
+void fields(Archive& a, SafetyRule& o) {
+  a("action", o.action, kSafetyActions);
+  a("stale_after_s", o.stale_after_s, kStaleAges);
+}
 
 struct SafetyOptions {
   std::array<SafetyRule, kSignalCount> rule{};
   double fade_s = 0.3;    ///< time a safety action takes to act, and to let go
   double idle_rpm = 800;  ///< where `idle` brings the diesel, r/min; one that turned slower stays there
 };
+
+/// What no signal and no other section says.
+template <class Archive>
+void fields(Archive& a, SafetyOptions& o) {
+  a("fade_s", o.fade_s, Range{0, 60, "s"});
+}
 
 }  // namespace rigsound
