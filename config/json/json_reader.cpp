@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "text/nearest_word.hpp"
+#include "rigsound/config/nearest_word.hpp"
 
 namespace rigsound::config {
 bool JsonReader::wanted(const char* key) {

@@ -4,8 +4,8 @@
 #include "rigsound/can/frame.hpp"
 #include "rigsound/can/signal_reading.hpp"
 #include "rigsound/config/dbc.hpp"
+#include "rigsound/config/nearest_word.hpp"
 #include "rigsound/machine/input_error.hpp"
-#include "text/nearest_word.hpp"
 #include "toml/toml_reader.hpp"
 
 namespace rigsound::config {

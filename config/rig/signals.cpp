@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "rig/sections.hpp"
-#include "text/nearest_word.hpp"
+#include "rigsound/config/nearest_word.hpp"
 
 namespace rigsound::config {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "rigsound/config/nearest_word.hpp"
 #include "rigsound/machine/input_error.hpp"
-#include "text/nearest_word.hpp"
 #include "text/read_text.hpp"
 
 namespace rigsound::config {

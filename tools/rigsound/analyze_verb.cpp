@@ -19,7 +19,7 @@ using namespace analysis;
 
 struct AnalyzeArguments {
   std::vector<std::string> inputs;
-  std::string situation = "normal", method = "click-nmf", shard = "1/1", report;
+  std::string situation = "normal", method = "click-nmf", shard = "1/1", report, sound_set, labels;
   bool no_denoise = false;
   AnalyzerOptions options;
 };
@@ -27,14 +27,15 @@ struct AnalyzeArguments {
 void read_shard(const std::string& text, AnalyzerOptions& options) {
   int read = 0;
   if (std::sscanf(text.c_str(), "%d/%d%n", &options.shard, &options.shards, &read) != 2 ||
-      read != static_cast<int>(text.size()) || options.shards < 1 || options.shard < 0 ||
-      options.shard > options.shards)
-    throw CLI::ValidationError("--shard", "'" + text + "' is wrong, expected I/N with I from 1 to N");
+      read != static_cast<int>(text.size()) || options.shard < 1 || options.shard > options.shards)
+    throw cli::UsageError("--shard", "'" + text + "' is wrong, expected I/N with I from 1 to N");
 }
 
 AnalyzerOptions options_of(const AnalyzeArguments& a) {
   AnalyzerOptions options = a.options;
   options.inputs.assign(a.inputs.begin(), a.inputs.end());
+  options.sound_set = a.sound_set;
+  options.labels = a.labels;
   options.situation = *situation_by_name(a.situation);
   options.method = a.method == "paper" ? Method::kPaper : Method::kClickNmf;
   options.denoise = !a.no_denoise;
@@ -76,41 +77,39 @@ void analyze(const AnalyzeArguments& a) {
 
 }  // namespace
 
-void add_analyze(CLI::App& app) {
-  auto* verb =
-      app.add_subcommand("analyze", "Learns a bank of clicks from every labelled part of recordings");
+void add_analyze(cli::Verb& program) {
+  cli::Verb verb = program.verb("analyze", "Learn a bank of clicks from every labelled part of recordings")
+                       .group(kPrepare);
   auto a = std::make_shared<AnalyzeArguments>();
   AnalyzerOptions& o = a->options;
   o.jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  verb->add_option("inputs", a->inputs, "recordings, and folders of recordings (not the folders inside)")
-      ->required();
-  verb->add_option("--out", o.sound_set, "sound set; made if need be, never overwritten where people edit it")
-      ->required();
-  verb->add_option(
-      "--labels", o.labels,
-      "Audacity label file of the one recording; otherwise STEM.txt beside each recording is used");
-  verb->add_option("--situation", a->situation, "of recordings without labels, which are taken whole")
-      ->check(CLI::IsMember(std::vector<std::string>(kSituationNames.begin(), kSituationNames.end())))
-      ->capture_default_str();
-  verb->add_option("--jobs", o.jobs, "parts analysed at the same time; banks do not depend on it")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  verb->add_option("--shard", a->shard, "I/N: this run does every N-th part, I from 1 to N")
-      ->capture_default_str();
-  verb->add_option("--report", a->report, "also write one self-contained HTML page that shows every bank");
-  verb->add_option("--method", a->method, "click-nmf, or paper: the drilling paper's own chain")
-      ->check(CLI::IsMember({"click-nmf", "paper"}))
-      ->capture_default_str();
-  verb->add_option("--clicks", o.clicks, "most clicks in a bank")
-      ->check(CLI::Range(2, 1000))
-      ->capture_default_str();
-  verb->add_flag("--no-denoise", a->no_denoise, "take the recordings as clean");
-  verb->footer(
+  verb.positional("IN", a->inputs, "recordings, and folders of recordings (not the folders inside)")
+      .required();
+  verb.option("--out", a->sound_set, "sound set; made if need be, never overwritten where people edit it")
+      .required();
+  verb.option("--labels", a->labels,
+              "Audacity label file of the one recording; otherwise STEM.txt beside each recording is used");
+  verb.option("--situation", a->situation, "of recordings without labels, which are taken whole")
+      .one_of({kSituationNames.begin(), kSituationNames.end()})
+      .shows_default();
+  verb.option("--jobs", o.jobs, "parts analysed at the same time; banks do not depend on it")
+      .range(1, 256)
+      .shows_default();
+  verb.option("--shard", a->shard, "I/N: this run does every N-th part, I from 1 to N").shows_default();
+  verb.option("--report", a->report, "also write one self-contained HTML page that shows every bank");
+  verb.option("--method", a->method, "click-nmf, or paper: the drilling paper's own chain")
+      .one_of({"click-nmf", "paper"})
+      .shows_default();
+  verb.option("--clicks", o.clicks, "most clicks in a bank").range(2, 1000).shows_default();
+  verb.flag("--no-denoise", a->no_denoise, "take the recordings as clean");
+  verb.details(
       "One line a bank on stdout. Finished banks made from the same sound with the same settings are kept, "
-      "so a run that was\n"
-      "stopped goes on where it was. What gave no bank is listed at the end, and the exit code is then 1.\n"
-      "Example: rigsound analyze recordings/ --out soundset --jobs 4 --report report.html");
-  verb->callback([a] { analyze(*a); });
+      "so a "
+      "run that was stopped goes on where it was. What gave no bank is listed at the end, and the exit code "
+      "is "
+      "then 1.");
+  verb.example("rigsound analyze recordings/ --out soundset --jobs 4 --report report.html");
+  verb.callback([a] { analyze(*a); });
 }
 
 }  // namespace rigsound::tools

@@ -9,7 +9,6 @@
 
 #include "bench/block_timer.hpp"
 #include "bench/formula_sounds.hpp"
-#include "number_range.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -102,22 +101,21 @@ void print_json(const std::vector<Row>& rows) {
 
 }  // namespace
 
-void add_bench(CLI::App& app) {
+void add_bench(cli::Verb& program) {
   struct Options {
     bool json = false;
     double seconds = 10;
   };
-  auto* verb = app.add_subcommand("bench", "What the engine costs on this machine, layer by layer");
+  cli::Verb verb = program.verb("bench", "Measure what the synthesiser costs on this machine, layer by layer")
+                       .group(kInspect);
   auto o = std::make_shared<Options>();
-  verb->add_flag("--json", o->json, "figures for programs");
-  verb->add_option("--seconds", o->seconds, "sound to play per figure, s")
-      ->capture_default_str()
-      ->check(number_between(0.1, 3600.0));
-  verb->footer(
+  verb.flag("--json", o->json, "figures for programs");
+  verb.option("--seconds", o->seconds, "sound to play per figure, s").range(0.1, 3600).shows_default();
+  verb.details(
       "One boom that drills at 1800 r/min, blocks of 64 frames at 48 kHz, sounds made from formulas.\n"
-      "Means are those of the quietest of eight rounds, worst blocks those of all.\n"
-      "Example: rigsound bench --seconds 30");
-  verb->callback([o] {
+      "Means are those of the quietest of eight rounds, worst blocks those of all.");
+  verb.example("rigsound bench --seconds 30");
+  verb.callback([o] {
     const std::vector<Row> rows = measure_layers(o->seconds);
     o->json ? print_json(rows) : print_table(rows);
   });

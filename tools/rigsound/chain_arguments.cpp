@@ -11,21 +11,20 @@ namespace rigsound::tools {
 
 using namespace analysis;
 
-void add_chain_arguments(CLI::App& verb, ChainArguments& arguments) {
+void add_chain_arguments(cli::Verb& verb, ChainArguments& arguments) {
   arguments.jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  verb.add_option("input", arguments.input,
+  verb.positional("IN.wav", arguments.input,
                   "recording: any format of libsndfile, mono or stereo, 16 kHz or more")
-      ->required()
-      ->type_name("IN.wav");
-  verb.add_option("--method", arguments.method, "click-nmf, or paper: the drilling paper's own chain")
-      ->check(CLI::IsMember({"click-nmf", "paper"}))
-      ->capture_default_str();
-  verb.add_option("--jobs", arguments.jobs, "threads; the result does not depend on their number")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  verb.add_option("--dump", arguments.dump,
-                  "folder for the intermediate signals, clicks and powers of every step")
-      ->type_name("DIR");
+      .required();
+  verb.option("--method", arguments.method, "click-nmf, or paper: the drilling paper's own chain")
+      .one_of({"click-nmf", "paper"})
+      .shows_default();
+  verb.option("--jobs", arguments.jobs, "threads; the result does not depend on their number")
+      .at_least(1)
+      .shows_default();
+  verb.option("--dump", arguments.dump,
+              "folder for the intermediate signals, clicks and powers of every step")
+      .type("DIR");
 }
 
 Recording read_input(const ChainArguments& arguments) {

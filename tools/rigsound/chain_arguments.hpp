@@ -1,9 +1,9 @@
 // What `denoise` and `clicks` have in common: reading a recording and running the chain on it.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
+#include "cli/verb.hpp"
 #include "rigsound/analysis/chain.hpp"
 #include "rigsound/analysis/recording.hpp"
 
@@ -17,7 +17,7 @@ struct ChainArguments {
 };
 
 /// IN.wav, --method, --jobs and --dump.
-void add_chain_arguments(CLI::App& verb, ChainArguments& arguments);
+void add_chain_arguments(cli::Verb& verb, ChainArguments& arguments);
 
 /// Reads the recording; tells on stderr when its channels were mixed down. Errors: InputError.
 analysis::Recording read_input(const ChainArguments& arguments);

@@ -90,17 +90,17 @@ void check(const Options& options) {
 
 }  // namespace
 
-void add_check(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("check", "Validates everything the daemon would load.");
+void add_check(cli::Verb& program) {
+  cli::Verb verb = program.verb("check", "Validate everything the daemon would load").group(kInspect);
   auto options = std::make_shared<Options>();
-  verb->add_option("RIG.toml", options->rig, "the rig")->required();
-  verb->add_flag("--probe", options->probe,
-                 "also read every Modbus register once: live values, 32 bit ones in all four word orders");
-  verb->callback([options] { check(*options); });
-  verb->footer(
+  verb.positional("RIG.toml", options->rig, "the rig").required();
+  verb.flag("--probe", options->probe,
+            "also read every Modbus register once: live values, 32 bit ones in all four word orders");
+  verb.callback([options] { check(*options); });
+  verb.details(
       "Prints `ok` and a summary, or one line FILE:LINE: KEY: what is wrong, what was expected (exit code "
-      "1).\n\n"
-      "Example: rigsound check config/rigs/demo.toml");
+      "1).");
+  verb.example("rigsound check config/rigs/demo.toml");
 }
 
 }  // namespace rigsound::tools

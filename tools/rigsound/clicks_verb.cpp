@@ -30,18 +30,19 @@ void run(const ClicksOptions& options) {
 
 }  // namespace
 
-void add_clicks(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("clicks", "find the clicks of a percussive drill in a recording");
+void add_clicks(cli::Verb& program) {
+  cli::Verb verb =
+      program.verb("clicks", "Find the clicks of a percussive drill in a recording").group(kPrepare);
   const auto options = std::make_shared<ClicksOptions>();
-  add_chain_arguments(*verb, options->chain);
-  verb->add_flag("--no-denoise", options->no_denoise, "take the recording as clean");
-  verb->footer(
+  add_chain_arguments(verb, options->chain);
+  verb.flag("--no-denoise", options->no_denoise, "take the recording as clean");
+  verb.details(
       "Writes CSV to stdout: time_s (onset, seconds of the recording), amplitude (full scale 1), sorted by "
-      "time.\n"
+      "time. "
       "A recording without drilling gives the header alone, the reason on stderr, and exit code 0: it is no "
-      "error.\n\n"
-      "Example: rigsound clicks rock.wav > clicks.csv");
-  verb->callback([options] { run(*options); });
+      "error.");
+  verb.example("rigsound clicks rock.wav > clicks.csv");
+  verb.callback([options] { run(*options); });
 }
 
 }  // namespace rigsound::tools

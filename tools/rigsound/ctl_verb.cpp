@@ -6,7 +6,6 @@
 
 #include "ctl/control_client.hpp"
 #include "ctl/status_view.hpp"
-#include "number_range.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -47,7 +46,7 @@ void watch(const Options& o) {
   }
 }
 
-void set(const Options& o) {
+void set_control(const Options& o) {
   ControlClient(o.socket).ask({{"command", "set"}, {"key", o.key}, {"value", o.value}});
 }
 
@@ -71,37 +70,38 @@ void metrics(const Options& o) {
 
 }  // namespace
 
-void add_ctl(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("ctl", "Talks to the running daemon.");
+void add_ctl(cli::Verb& program) {
+  cli::Verb ctl = program.verb("ctl", "Talk to the running daemon").group(kRun).options_anywhere();
   auto options = std::make_shared<Options>();
-  verb->require_subcommand(1);
-  verb->fallthrough();
-  verb->add_option("--socket", options->socket, "the rig's [control] socket")->capture_default_str();
-  const auto add = [&](const char* name, const char* help, void (*run)(const Options&)) {
-    CLI::App* command = verb->add_subcommand(name, help);
-    command->callback([run, options] { run(*options); });
+  ctl.option("--socket", options->socket, "the rig's [control] socket").shows_default();
+  const auto add = [&](const char* name, const char* summary, void (*run)(const Options&),
+                       const char* arguments) {
+    cli::Verb command = ctl.verb(name, summary);
+    command.example(std::string("rigsound ctl ") + name + arguments);
+    command.callback([run, options] { run(*options); });
     return command;
   };
-  add("status", "how it is: audio, meters, buses, signals", status)
-      ->add_flag("--json", options->json, "one JSON object");
-  add("watch", "the same, again and again", watch)
-      ->add_option("--every", options->seconds, "seconds between two views")
-      ->check(number_between(0.02, 3600.0))
-      ->capture_default_str();
-  CLI::App* set_command = add("set", "changes a live control of the drill", set);
-  set_command->add_option("KEY", options->key, "[BOOM.]CONTROL, see below; without BOOM all booms")
-      ->required();
-  set_command->add_option("VALUE", options->value, "number")->required();
-  add("reload", "reads the rig again, all of it or none", reload);
-  add("mute", "silences the sound, or lets it be heard again", mute)
-      ->add_option("STATE", options->mute, "on or off; left out: the other one")
-      ->check(CLI::IsMember({"on", "off"}));
-  add("metrics", "OpenMetrics text", metrics);
-  const char* controls =
-      "Controls: mean_frequency_hz (1...100 Hz; 0: the machine's own), mean_amplitude_db (-60...24),\n"
+  add("status", "Show audio, meters, buses and signals", status, " --json")
+      .flag("--json", options->json, "one JSON object");
+  add("watch", "Show the status again and again", watch, " --every 1")
+      .option("--every", options->seconds, "seconds between two views")
+      .range(0.02, 3600)
+      .shows_default();
+  cli::Verb set =
+      add("set", "Change a live control of the drill", set_control, " boom1.mean_frequency_hz 42");
+  set.positional("KEY", options->key, "[BOOM.]CONTROL, see `rigsound ctl --help`; without BOOM all booms")
+      .required();
+  set.positional("VALUE", options->value, "number").required();
+  add("reload", "Read the rig again, all of it or none", reload, "");
+  add("mute", "Silence the sound, or let it be heard again", mute, " on")
+      .positional("STATE", options->mute, "on or off; left out: the other one")
+      .one_of({"on", "off"});
+  add("metrics", "Print OpenMetrics text", metrics, "");
+  ctl.details(
+      "Controls: mean_frequency_hz (1...100 Hz; 0: the machine's own), mean_amplitude_db (-60...24), "
       "deviation_time and deviation_amplitude (factors 0...4), attack_factor (0.1...10), decay_factor "
-      "(0.25...10).\n\n";
-  verb->footer(std::string(controls) + "Example: rigsound ctl set boom1.mean_frequency_hz 42");
+      "(0.25...10).");
+  ctl.example("rigsound ctl set boom1.mean_frequency_hz 42");
 }
 
 }  // namespace rigsound::tools

@@ -44,20 +44,20 @@ void decode(const Options& options) {
 
 }  // namespace
 
-void add_decode(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("decode", "Prints what a recorded bus would tell the engine.");
+void add_decode(cli::Verb& program) {
+  cli::Verb verb = program.verb("decode", "Print what a recorded bus would tell the engine").group(kInspect);
   auto options = std::make_shared<Options>();
-  verb->add_option("RIG.toml", options->rig, "the rig; a bus and its signals are enough")->required();
-  verb->add_option("--log", options->log, "candump -l log, or Modbus/TCP as pcap or pcapng")->required();
-  verb->callback([options] { decode(*options); });
-  verb->footer(
-      "Prints CSV time_s,signal,value: one row for the first valid value of a signal and one at each "
-      "change.\n"
+  verb.positional("RIG.toml", options->rig, "the rig; a bus and its signals are enough").required();
+  verb.option("--log", options->log, "candump -l log, or Modbus/TCP as pcap or pcapng").required();
+  verb.callback([options] { decode(*options); });
+  verb.details(
+      "Prints CSV time_s,signal,value: one row for the first valid value of a signal and one at each change. "
       "time_s counts from the first entry of the log. Values are those after the rig's [safety] rules, in "
-      "the\n"
-      "signal's unit, or words (none, closed, open; off, on). Signals of a second boom are NAME.signal.\n"
-      "With one [[can]] and one interface in the log their names need not agree.\n\n"
-      "Example: rigsound decode config/rigs/demo.toml --log config/logs/shift.log");
+      "the "
+      "signal's unit, or words (none, closed, open; off, on). Signals of a second boom are NAME.signal. With "
+      "one "
+      "[[can]] and one interface in the log their names need not agree.");
+  verb.example("rigsound decode config/rigs/demo.toml --log config/logs/shift.log");
 }
 
 }  // namespace rigsound::tools

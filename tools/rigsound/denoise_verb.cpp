@@ -54,21 +54,21 @@ void run(const DenoiseOptions& options) {
 
 }  // namespace
 
-void add_denoise(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("denoise", "remove the background from a recording of drilling");
+void add_denoise(cli::Verb& program) {
+  cli::Verb verb =
+      program.verb("denoise", "Remove the background from a recording of drilling").group(kPrepare);
   const auto options = std::make_shared<DenoiseOptions>();
-  add_chain_arguments(*verb, options->chain);
-  verb->add_option("output", options->output,
-                   "the drilling alone: mono, 32-bit float WAV, same rate and length")
-      ->required()
-      ->type_name("OUT.wav");
-  verb->add_option("--noise", options->noise, "what was removed; both add up to the recording")
-      ->type_name("NOISE.wav");
-  verb->footer(
+  add_chain_arguments(verb, options->chain);
+  verb.positional("OUT.wav", options->output,
+                  "the drilling alone: mono, 32-bit float WAV, same rate and length")
+      .required();
+  verb.option("--noise", options->noise, "what was removed; both add up to the recording").type("NOISE.wav");
+  verb.details(
       "Where no clicks are found the background is removed without them; the reason is told on stderr, exit "
-      "code 0.\n\n"
-      "Example: rigsound denoise rock.wav drilling.wav --noise diesel.wav");
-  verb->callback([options] { run(*options); });
+      "code "
+      "0.");
+  verb.example("rigsound denoise rock.wav drilling.wav --noise diesel.wav");
+  verb.callback([options] { run(*options); });
 }
 
 }  // namespace rigsound::tools

@@ -10,10 +10,11 @@ using namespace rigsound;
 
 namespace {
 
+/// As the help lists them.
 constexpr tools::AddVerb kVerbs[] = {
-    tools::add_analyze, tools::add_background, tools::add_bench,    tools::add_check,  tools::add_clicks,
-    tools::add_ctl,     tools::add_decode,     tools::add_denoise,  tools::add_record, tools::add_render,
-    tools::add_replay,  tools::add_resynth,    tools::add_simulate, tools::add_tool,
+    tools::add_denoise,  tools::add_clicks, tools::add_analyze, tools::add_background, tools::add_tool,
+    tools::add_simulate, tools::add_render, tools::add_record,  tools::add_replay,     tools::add_ctl,
+    tools::add_check,    tools::add_decode, tools::add_resynth, tools::add_bench,
 };
 
 /// A full disk behind a redirected stdout shows only now.
@@ -23,17 +24,14 @@ void flush_output() {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("The sound of a percussive drilling rig, from recordings and a fieldbus.", "rigsound");
-  app.require_subcommand(1);
-  app.set_version_flag("--version", RIGSOUND_VERSION);
-  for (const tools::AddVerb add : kVerbs) add(app);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
+  cli::Program program("rigsound", "Give a simulator's cabin the sound of a percussive drilling rig",
+                       RIGSOUND_VERSION);
+  cli::Verb verb = program.verb();
+  verb.example("rigsound render config/rigs/demo.toml --log config/logs/shift.log --out out/demo.wav");
+  for (const tools::AddVerb add : kVerbs) add(verb);
+  const int code = program.run(argc, argv);
   flush_output();
-  return 0;
+  return code;
 }
 
 int complain(const std::exception& error, int code) {

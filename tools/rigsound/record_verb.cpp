@@ -57,24 +57,22 @@ void record(const Options& o) {
 
 }  // namespace
 
-void add_record(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("record", "Records the buses of a rig.");
+void add_record(cli::Verb& program) {
+  cli::Verb verb = program.verb("record", "Record the buses of a rig").group(kRun);
   auto options = std::make_shared<Options>();
-  verb->add_option("RIG.toml", options->rig, "the rig whose buses are meant")->required();
-  verb->add_option("--out", options->out, "file to write")->required();
-  verb->add_option("--seconds", options->seconds, "end after so long; left out: on Ctrl-C")
-      ->check(CLI::PositiveNumber);
-  verb->callback([options] { record(*options); });
-  verb->footer(
+  verb.positional("RIG.toml", options->rig, "the rig whose buses are meant").required();
+  verb.option("--out", options->out, "file to write").required();
+  verb.option("--seconds", options->seconds, "end after so long; left out: on Ctrl-C").at_least(0.001);
+  verb.callback([options] { record(*options); });
+  verb.details(
       "CAN is written as candump -l does, all frames of the rig's interfaces; Modbus as a pcap of what was "
-      "agreed\n"
+      "agreed "
       "between client and server, each link playing the part the rig gives it. A rig with both writes the "
-      "Modbus\n"
+      "Modbus "
       "part beside OUT, as OUT with the ending .pcap. A bus that cannot be opened at the start ends it with "
       "3; "
-      "one\n"
-      "that is lost later is waited for.\n\n"
-      "Example: rigsound record config/rigs/demo.toml --out shift.log");
+      "one that is lost later is waited for.");
+  verb.example("rigsound record config/rigs/demo.toml --out shift.log");
 }
 
 }  // namespace rigsound::tools

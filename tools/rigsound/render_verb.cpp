@@ -73,27 +73,24 @@ void render_session(const Options& options) {
 
 }  // namespace
 
-void add_render(CLI::App& app) {
-  CLI::App* verb =
-      app.add_subcommand("render", "Renders a recorded bus offline: the same input gives the same bits.");
+void add_render(cli::Verb& program) {
+  cli::Verb verb =
+      program.verb("render", "Render a recorded bus offline: the same input gives the same bits").group(kRun);
   auto options = std::make_shared<Options>();
-  verb->add_option("RIG.toml", options->rig, "the rig")->required();
-  CLI::Option_group* source = verb->add_option_group("source");
-  source->add_option("--log", options->log, "candump -l log, or Modbus/TCP as pcap or pcapng");
-  source->add_option("--session", options->session,
-                     "what rigsoundd --session wrote: the very samples it played");
-  source->require_option(1);
-  verb->add_option("--out", options->out,
-                   "WAV file to write: 32 bit float, or the format of the session's card")
-      ->required();
-  verb->add_option("--seed", options->seed, "instead of the rig's seed; a session has its own");
-  verb->callback([options] { options->session.empty() ? render_log(*options) : render_session(*options); });
-  verb->footer(
+  verb.positional("RIG.toml", options->rig, "the rig").required();
+  cli::Verb source = verb.exactly_one("Source");
+  source.option("--log", options->log, "candump -l log, or Modbus/TCP as pcap or pcapng");
+  source.option("--session", options->session, "what rigsoundd --session wrote: the very samples it played");
+  verb.option("--out", options->out, "WAV file to write: 32 bit float, or the format of the session's card")
+      .required();
+  verb.option("--seed", options->seed, "instead of the rig's seed; a session has its own");
+  verb.callback([options] { options->session.empty() ? render_log(*options) : render_session(*options); });
+  verb.details(
       "Prints `sha256 HEX` of the PCM bytes in the WAV's data chunk, then `realtime_factor X`: seconds of "
-      "sound\n"
+      "sound "
       "per second of rendering. Everything a frame says acts from the next block on; the sound ends with the "
-      "log.\n\n"
-      "Example: rigsound render config/rigs/demo.toml --log config/logs/shift.log --out out/demo.wav");
+      "log.");
+  verb.example("rigsound render config/rigs/demo.toml --log config/logs/shift.log --out out/demo.wav");
 }
 
 }  // namespace rigsound::tools

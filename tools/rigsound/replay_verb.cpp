@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "number_range.hpp"
 #include "rigsound/can/can_sender.hpp"
 #include "rigsound/log/candump.hpp"
 #include "rigsound/log/modbus_capture.hpp"
@@ -83,26 +82,23 @@ void replay_modbus(const Options& o) {
 
 }  // namespace
 
-void add_replay(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("replay", "Plays a bus log onto a bus, at its own pace.");
+void add_replay(cli::Verb& program) {
+  cli::Verb verb = program.verb("replay", "Play a bus log onto a bus, at its own pace").group(kRun);
   auto options = std::make_shared<Options>();
-  verb->add_option("BUS.log", options->log, "candump -l log, or Modbus/TCP as pcap or pcapng")->required();
-  CLI::Option_group* target = verb->add_option_group("target");
-  target->add_option("--can", options->can, "interface to send the frames on; the log's names do not count");
-  target->add_option("--modbus", options->modbus, "HOST:PORT of a server to write the values to");
-  target->require_option(1);
-  verb->add_option("--speed", options->speed, "2: twice as fast")
-      ->check(number_between(0.001, 1000.0))
-      ->capture_default_str();
-  verb->add_flag("--json", options->json, "figures as one JSON object");
-  verb->callback([options] { options->can.empty() ? replay_modbus(*options) : replay_can(*options); });
-  verb->footer(
+  verb.positional("BUS.log", options->log, "candump -l log, or Modbus/TCP as pcap or pcapng").required();
+  cli::Verb target = verb.exactly_one("Target");
+  target.option("--can", options->can, "interface to send the frames on; the log's names do not count");
+  target.option("--modbus", options->modbus, "HOST:PORT of a server to write the values to");
+  verb.option("--speed", options->speed, "2: twice as fast").range(0.001, 1000).shows_default();
+  verb.flag("--json", options->json, "figures as one JSON object");
+  verb.callback([options] { options->can.empty() ? replay_modbus(*options) : replay_can(*options); });
+  verb.details(
       "Prints how many entries were sent and how late (mean, worst; deadlines are absolute, lateness does "
-      "not\n"
-      "add up). A full queue is waited for. Of Modbus, what was written or read in holding registers and "
-      "coils is\n"
-      "written.\n\n"
-      "Example: rigsound replay config/logs/shift.log --can vcan0");
+      "not add "
+      "up). A full queue is waited for. Of Modbus, what was written or read in holding registers and coils "
+      "is "
+      "written.");
+  verb.example("rigsound replay config/logs/shift.log --can vcan0");
 }
 
 }  // namespace rigsound::tools

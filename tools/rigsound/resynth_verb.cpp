@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <memory>
 
-#include "number_range.hpp"
 #include "rigsound/analysis/resynth.hpp"
 #include "rigsound/analysis/wave_file.hpp"
 #include "rigsound/config/bank_files.hpp"
@@ -24,8 +23,8 @@ struct ResynthOptions {
 
 void write_impacts(const std::string& path, const analysis::Resynthesis& result, double rate) {
   std::string text = "time_s,amplitude\n";
-  for (const analysis::ResynthImpact& blow : result.impacts)
-    text += fmt::format("{:.6f},{:.6f}\n", blow.time / rate, blow.amplitude);
+  for (const analysis::ResynthImpact& impact : result.impacts)
+    text += fmt::format("{:.6f},{:.6f}\n", impact.time / rate, impact.amplitude);
   write_file(path, text);
 }
 
@@ -38,28 +37,24 @@ void resynth(const ResynthOptions& o) {
 
 }  // namespace
 
-void add_resynth(CLI::App& app) {
-  auto* verb = app.add_subcommand("resynth", "Plays one bank offline, exactly as the engine plays it live");
+void add_resynth(cli::Verb& program) {
+  cli::Verb verb =
+      program.verb("resynth", "Play one bank offline, exactly as the engine plays it live").group(kInspect);
   auto o = std::make_shared<ResynthOptions>();
   DrillControls& c = o->controls;
-  verb->add_option("bank", o->bank, "folder of the bank, SOUNDSET/banks/NAME")->required();
-  verb->add_option("output", o->output, "WAV to write")->required();
-  verb->add_option("--seconds", o->seconds, "length")->required()->check(number_between(0.01, 36000.0));
-  verb->add_option("--seed", o->seed, "the same seed gives the same samples")->capture_default_str();
-  verb->add_option("--rate", c.mean_frequency_hz, "clicks a second instead of the bank's own")
-      ->check(number_between(1.0, 100.0));
-  verb->add_option("--gain-db", c.mean_amplitude_db, "louder or softer")->check(number_between(-60.0, 24.0));
-  verb->add_option("--jitter", c.deviation_time, "factor on the deviation in time")
-      ->check(number_between(0.0, 4.0));
-  verb->add_option("--amp-jitter", c.deviation_amplitude, "factor on the deviation in amplitude")
-      ->check(number_between(0.0, 4.0));
-  verb->add_option("--attack", c.attack_factor, "factor on the attack time")
-      ->check(number_between(0.1, 10.0));
-  verb->add_option("--decay", c.decay_factor, "factor on the decay rate: 2 is twice as short")
-      ->check(number_between(0.25, 10.0));
-  verb->add_option("--impacts", o->impacts, "also write the blows as CSV time_s,amplitude");
-  verb->footer("Example: rigsound resynth soundset/banks/normal out.wav --seconds 8 --rate 42 --decay 1.5");
-  verb->callback([o] { resynth(*o); });
+  verb.positional("BANK", o->bank, "folder of the bank, SOUNDSET/banks/NAME").required();
+  verb.positional("OUT.wav", o->output, "WAV to write").required();
+  verb.option("--seconds", o->seconds, "length").required().range(0.01, 36000);
+  verb.option("--seed", o->seed, "the same seed gives the same samples").shows_default();
+  verb.option("--rate", c.mean_frequency_hz, "clicks a second instead of the bank's own").range(1, 100);
+  verb.option("--gain-db", c.mean_amplitude_db, "louder or softer").range(-60, 24);
+  verb.option("--jitter", c.deviation_time, "factor on the deviation in time").range(0, 4);
+  verb.option("--amp-jitter", c.deviation_amplitude, "factor on the deviation in amplitude").range(0, 4);
+  verb.option("--attack", c.attack_factor, "factor on the attack time").range(0.1, 10);
+  verb.option("--decay", c.decay_factor, "factor on the decay rate: 2 is twice as short").range(0.25, 10);
+  verb.option("--impacts", o->impacts, "also write the impacts as CSV time_s,amplitude");
+  verb.example("rigsound resynth soundset/banks/normal out.wav --seconds 8 --rate 42 --decay 1.5");
+  verb.callback([o] { resynth(*o); });
 }
 
 }  // namespace rigsound::tools

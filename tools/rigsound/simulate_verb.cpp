@@ -2,7 +2,6 @@
 #include <cstdio>
 #include <memory>
 
-#include "number_range.hpp"
 #include "rigsound/analysis/simulate.hpp"
 #include "verbs.hpp"
 
@@ -27,7 +26,7 @@ std::vector<int> expand(const std::vector<std::string>& ranges) {
     int low = 0, high = 0, read = 0;
     const int found = std::sscanf(text.c_str(), "%d%n-%d%n", &low, &read, &high, &read);
     if (found < 1 || read != static_cast<int>(text.size()))
-      throw CLI::ValidationError("--ids", "'" + text + "' is neither a number nor a range such as 100-131");
+      throw cli::UsageError("--ids", "'" + text + "' is neither a number nor a range such as 100-131");
     for (int id = low; id <= (found == 2 ? high : low); ++id) ids.push_back(id);
   }
   return ids;
@@ -46,26 +45,25 @@ void simulate(const SimulateOptions& o) {
 
 }  // namespace
 
-void add_simulate(CLI::App& app) {
-  auto* verb = app.add_subcommand("simulate",
-                                  "Writes recordings of the five drilling situations with their exact truth");
+void add_simulate(cli::Verb& program) {
+  cli::Verb verb =
+      program.verb("simulate", "Write recordings of the five drilling situations with their exact truth")
+          .group(kPrepare);
   auto o = std::make_shared<SimulateOptions>();
-  verb->add_option("--out", o->folder, "folder for the recordings; truth/ and engine/ are made inside")
-      ->required();
-  verb->add_option("--seed", o->seed, "other seeds: other recordings of the same machine")
-      ->capture_default_str();
-  verb->add_option("--seconds", o->seconds, "length of a recording (default 18, of a DrillBench clip 2)")
-      ->check(number_between(1.0, 3600.0));
-  auto* ids = verb->add_option("--ids", o->ids, "DrillBench clips by number instead, such as 100-131 or 3,7")
-                  ->delimiter(',');
-  verb->add_option("--snr", o->snr_db, "ratios of the mixed clips, dB")->delimiter(',')->needs(ids);
-  verb->add_option("--rate-factor", o->rate_factor, "the same strikes, this much closer together")
-      ->check(number_between(0.25, 4.0))
-      ->needs(ids);
-  verb->footer(
-      "Example: rigsound simulate --out recordings --seed 7\n"
-      "         rigsound simulate --out bench --ids 100-131 --snr -6,0,6,12");
-  verb->callback([o] { simulate(*o); });
+  verb.option("--out", o->folder, "folder for the recordings; truth/ and engine/ are made inside").required();
+  verb.option("--seed", o->seed, "other seeds: other recordings of the same machine").shows_default();
+  verb.option("--seconds", o->seconds, "length of a recording (default 18, of a DrillBench clip 2)")
+      .range(1, 3600);
+  const cli::Option ids =
+      verb.option("--ids", o->ids, "DrillBench clips by number instead, such as 100-131 or 3,7")
+          .separated_by_commas();
+  verb.option("--snr", o->snr_db, "ratios of the mixed clips, dB").separated_by_commas().needs(ids);
+  verb.option("--rate-factor", o->rate_factor, "the same impacts, this much closer together")
+      .range(0.25, 4)
+      .needs(ids);
+  verb.example("rigsound simulate --out recordings --seed 7");
+  verb.example("rigsound simulate --out bench --ids 100-131 --snr -6,0,6,12");
+  verb.callback([o] { simulate(*o); });
 }
 
 }  // namespace rigsound::tools

@@ -18,7 +18,6 @@ namespace {
 
 struct ToolOptions {
   double length_m = 0, diameter_m = 0, rate = 48000;
-  CLI::Option *length = nullptr, *diameter = nullptr;
   std::string model = "designed", name, sound_set, recording, plot;
   std::vector<double> t60_T, t60_L;
   ToolModel tool;  ///< k_Tmin, k_Tmax, k_L, and the paper's M, lambda, N_T, N_L
@@ -97,8 +96,6 @@ ToolModel model_of(const ToolOptions& o, nlohmann::ordered_json& json) {
 }
 
 void run(const ToolOptions& o) {
-  if (o.recording.empty() && (o.length->empty() || o.diameter->empty()))
-    throw CLI::RequiredError("--length and --diameter (or --from)");
   nlohmann::ordered_json json;
   ToolModel model = model_of(o, json);
   model.name = name_of(o, model.bar);
@@ -126,9 +123,9 @@ void run(const ToolOptions& o) {
 }
 
 /// The jackhammer paper's symbols, by its own names.
-void add_paper_symbols(CLI::App& verb, ToolModel& tool, CLI::Option* from) {
+void add_paper_symbols(cli::Verb& verb, ToolModel& tool, const cli::Option& from) {
   const auto add = [&](const char* name, auto& value, const char* text) {
-    verb.add_option(name, value, text)->capture_default_str()->excludes(from)->group("Symbols of the paper");
+    verb.option(name, value, text).shows_default().excludes(from).group("Symbols of the paper");
   };
   add("--k-Tmin", tool.transversal.reflection_min, "transversal reflection while the hammer touches");
   add("--k-Tmax", tool.transversal.reflection_max, "transversal reflection of the free tool");
@@ -141,36 +138,36 @@ void add_paper_symbols(CLI::App& verb, ToolModel& tool, CLI::Option* from) {
 
 }  // namespace
 
-void add_tool(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("tool", "tune the ringing bar to a steel");
+void add_tool(cli::Verb& program) {
+  cli::Verb verb = program.verb("tool", "Tune the ringing bar to a steel").group(kPrepare);
   const auto o = std::make_shared<ToolOptions>();
-  o->length = verb->add_option("--length", o->length_m, "of the steel, m (0.2...1.2)");
-  o->diameter = verb->add_option("--diameter", o->diameter_m, "of the steel, m (0.010...0.080)");
-  CLI::Option* from =
-      verb->add_option("--from", o->recording,
-                       "recorded blow to fit decays, shelf, high-pass, equaliser, mix and pulse "
-                       "width to; the steel is estimated from its modes where it is not given");
-  verb->add_option("--rate", o->rate, "sample rate to design for, Hz")->capture_default_str();
-  verb->add_option("--model", o->model, "designed, or the jackhammer paper's own loops")
-      ->check(CLI::IsMember({"designed", "paper"}))
-      ->capture_default_str()
-      ->excludes(from);
-  verb->add_option("--t60-transversal", o->t60_T, "wanted decay: LOW_HZ LOW_S HIGH_HZ HIGH_S")
-      ->expected(4)
-      ->excludes(from);
-  verb->add_option("--t60-longitudinal", o->t60_L, "wanted decay: LOW_HZ LOW_S HIGH_HZ HIGH_S")
-      ->expected(4)
-      ->excludes(from);
-  add_paper_symbols(*verb, o->tool, from);
-  verb->add_option("--name", o->name, "of the tool in the sound set [steel_LENGTHxDIAMETER, mm]");
-  verb->add_option("--out", o->sound_set,
-                   "sound set to add the tool to; a tool of that name that differs is kept as NAME.json.old");
-  verb->add_option("--plot", o->plot, "SVG to draw: wanted and reached modes, decays");
-  verb->add_flag("--json", o->json, "figures as JSON instead of CSV");
-  verb->footer(
-      "Writes CSV to stdout: family,mode,target_hz,model_hz,error_cents,t60_s.\n\n"
-      "Example: rigsound tool --length 0.5 --diameter 0.025 --out soundset --plot modes.svg");
-  verb->callback([o] { run(*o); });
+  const cli::Option length = verb.option("--length", o->length_m, "of the steel, m (0.2...1.2)");
+  const cli::Option diameter = verb.option("--diameter", o->diameter_m, "of the steel, m (0.010...0.080)");
+  const cli::Option from =
+      verb.option("--from", o->recording,
+                  "recorded blow to fit decays, shelf, high-pass, equaliser, mix and pulse "
+                  "width to; the steel is estimated from its modes where it is not given");
+  verb.option("--rate", o->rate, "sample rate to design for, Hz").shows_default();
+  verb.option("--model", o->model, "designed, or the jackhammer paper's own loops")
+      .one_of({"designed", "paper"})
+      .shows_default()
+      .excludes(from);
+  for (const auto& [name, t60] :
+       {std::pair{"--t60-transversal", &o->t60_T}, std::pair{"--t60-longitudinal", &o->t60_L}})
+    verb.option(name, *t60, "wanted decay: LOW_HZ LOW_S HIGH_HZ HIGH_S").count(4).excludes(from);
+  add_paper_symbols(verb, o->tool, from);
+  verb.option("--name", o->name, "of the tool in the sound set [steel_LENGTHxDIAMETER, mm]");
+  verb.option("--out", o->sound_set,
+              "sound set to add the tool to; a tool of that name that differs is kept as NAME.json.old");
+  verb.option("--plot", o->plot, "SVG to draw: wanted and reached modes, decays");
+  verb.flag("--json", o->json, "figures as JSON instead of CSV");
+  verb.details("Writes CSV to stdout: family,mode,target_hz,model_hz,error_cents,t60_s.");
+  verb.example("rigsound tool --length 0.5 --diameter 0.025 --out soundset --plot modes.svg");
+  verb.callback([o, length, diameter] {
+    if (o->recording.empty() && !(length.given() && diameter.given()))
+      throw cli::UsageError("--length", "is needed with --diameter, or --from");
+    run(*o);
+  });
 }
 
 }  // namespace rigsound::tools

@@ -1,25 +1,28 @@
-// One function a verb: adds the subcommand, whose callback does the work.
+// One function a verb: adds it to the program; its callback does the work.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "cli/verb.hpp"
 
 namespace rigsound::tools {
 
-using AddVerb = void (*)(CLI::App& app);
+/// Headings of the program's help, in the order of a user's work.
+constexpr const char *kPrepare = "Prepare", *kRun = "Run", *kInspect = "Inspect";
 
-void add_analyze(CLI::App& app);
-void add_background(CLI::App& app);
-void add_bench(CLI::App& app);
-void add_check(CLI::App& app);
-void add_clicks(CLI::App& app);
-void add_ctl(CLI::App& app);
-void add_decode(CLI::App& app);
-void add_denoise(CLI::App& app);
-void add_record(CLI::App& app);
-void add_render(CLI::App& app);
-void add_replay(CLI::App& app);
-void add_resynth(CLI::App& app);
-void add_simulate(CLI::App& app);
-void add_tool(CLI::App& app);
+using AddVerb = void (*)(cli::Verb& program);
+
+void add_analyze(cli::Verb& program);
+void add_background(cli::Verb& program);
+void add_bench(cli::Verb& program);
+void add_check(cli::Verb& program);
+void add_clicks(cli::Verb& program);
+void add_ctl(cli::Verb& program);
+void add_decode(cli::Verb& program);
+void add_denoise(cli::Verb& program);
+void add_record(cli::Verb& program);
+void add_render(cli::Verb& program);
+void add_replay(cli::Verb& program);
+void add_resynth(cli::Verb& program);
+void add_simulate(cli::Verb& program);
+void add_tool(cli::Verb& program);
 
 }  // namespace rigsound::tools

@@ -1,12 +1,12 @@
 // `rigsoundd RIG.toml`: the daemon, in the foreground. Exit codes as for `rigsound`.
 #include <sys/signalfd.h>
 
-#include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
 
 #include <spdlog/spdlog.h>
 
+#include "cli/verb.hpp"
 #include "daemon.hpp"
 #include "locked_memory.hpp"
 #include "log_setup.hpp"
@@ -15,12 +15,6 @@
 using namespace rigsound;
 
 namespace {
-
-constexpr const char* kHelp =
-    "SIGHUP, or `rigsound ctl reload`, reads the rig again: all of it is taken, or none. SIGTERM and SIGINT "
-    "fade\n"
-    "the sound out and end with 0. A missing sound card or bus is waited for.\n\n"
-    "Example: rigsoundd config/rigs/demo.toml --session run.rigsession";
 
 /// Blocked in this thread and in all it starts, so that only the descriptor sees them.
 FileDescriptor take_signals() {
@@ -61,22 +55,28 @@ int serve(const daemon::DaemonOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Plays a drilling rig's sound from its fieldbus, live.", "rigsoundd");
+  cli::Program program("rigsoundd", "Play a drilling rig's sound from its fieldbus, live", RIGSOUND_VERSION);
   daemon::DaemonOptions options;
+  std::string session;
   double limit_mb = 256;
-  app.set_version_flag("--version", RIGSOUND_VERSION);
-  app.add_option("RIG.toml", options.rig, "the rig")->required();
-  app.add_option("--session", options.session.file,
-                 "write what happens to FILE (older ones become FILE.1, FILE.2, FILE.3)");
-  app.add_option("--session-limit", limit_mb, "MB that all session files together may take")
-      ->check(CLI::Range(0.01, 1e6))
-      ->capture_default_str();
-  app.footer(kHelp);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  options.session.limit_bytes = static_cast<std::uint64_t>(limit_mb * 1e6);
-  return serve(options);
+  int code = 0;
+  cli::Verb verb = program.verb();
+  verb.positional("RIG.toml", options.rig, "the rig").required();
+  verb.option("--session", session, "write what happens to FILE (older ones become FILE.1, FILE.2, FILE.3)")
+      .type("FILE");
+  verb.option("--session-limit", limit_mb, "MB that all session files together may take")
+      .range(0.01, 1e6)
+      .shows_default();
+  verb.details(
+      "SIGHUP, or `rigsound ctl reload`, reads the rig again: all of it is taken, or none. SIGTERM and "
+      "SIGINT fade "
+      "the sound out and end with 0. A missing sound card or bus is waited for.");
+  verb.example("rigsoundd config/rigs/demo.toml --session run.rigsession");
+  verb.callback([&] {
+    options.session.file = session;
+    options.session.limit_bytes = static_cast<std::uint64_t>(limit_mb * 1e6);
+    code = serve(options);
+  });
+  const int usage = program.run(argc, argv);
+  return usage != 0 ? usage : code;
 }

@@ -1,4 +1,4 @@
-#include "background_paper.hpp"
+#include "background/paper.hpp"
 
 #include <fmt/format.h>
 
@@ -11,27 +11,26 @@
 
 namespace rigsound::tools {
 
-void add_paper_options(CLI::App& verb, PaperOptions& o) {
+void add_paper_options(cli::Verb& verb, PaperOptions& o) {
   const char* group = "With --model paper";
-  verb.add_option("--energies", o.energies, "independent: one a subband; one-over-f: two numbers a channel")
-      ->check(CLI::IsMember({"independent", "one-over-f"}))
-      ->group(group);
-  verb.add_option("--scales", o.note.N, "wavelet scales (default: 4, with --keep-harmonics 3)")
-      ->check(CLI::Range(1, 6))
-      ->group(group);
-  verb.add_flag("--keep-harmonics", o.note.keep_harmonics, "harmonics keep their coefficients")->group(group);
-  verb.add_flag("--colour", o.note.colour, "AR filters of order 10, 8, 6, ... from the second subband on")
-      ->group(group);
-  verb.add_flag("--time-varying", o.note.time_varying, "energies in windows of 20 coefficients")
-      ->group(group);
-  verb.add_option("--waveforms", o.note.waveforms, "elementary waveforms in the first subband")
-      ->check(CLI::Range(12, 1000))
-      ->group(group);
+  verb.option("--energies", o.energies, "independent: one a subband; one-over-f: two numbers a channel")
+      .one_of({"independent", "one-over-f"})
+      .group(group);
+  verb.option("--scales", o.note.N, "wavelet scales (default: 4, with --keep-harmonics 3)")
+      .range(1, 6)
+      .group(group);
+  verb.flag("--keep-harmonics", o.note.keep_harmonics, "harmonics keep their coefficients").group(group);
+  verb.flag("--colour", o.note.colour, "AR filters of order 10, 8, 6, ... from the second subband on")
+      .group(group);
+  verb.flag("--time-varying", o.note.time_varying, "energies in windows of 20 coefficients").group(group);
+  verb.option("--waveforms", o.note.waveforms, "elementary waveforms in the first subband")
+      .range(12, 1000)
+      .group(group);
 }
 
 void model_note(const std::vector<std::string>& inputs, const std::string& resynth, unsigned seed, bool json,
                 const PaperOptions& o) {
-  if (inputs.size() != 1) throw CLI::ValidationError("IN", "--model paper takes one note");
+  if (inputs.size() != 1) throw cli::UsageError("IN", "--model paper takes one note");
   analysis::NoteSettings settings = o.note;
   settings.one_over_f = o.energies == "one-over-f";
   settings.seed = seed;

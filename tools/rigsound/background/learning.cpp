@@ -1,0 +1,124 @@
+#include "background/learning.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "rigsound/analysis/rate.hpp"
+#include "rigsound/analysis/recording.hpp"
+#include "rigsound/analysis/time_table.hpp"
+#include "rigsound/default_diesel.hpp"
+#include "rigsound/machine/input_error.hpp"
+
+namespace rigsound::tools {
+namespace {
+
+constexpr double kSlowest_rpm = 300, kFastest_rpm = 4000;  // of a diesel that runs
+
+/// The i-th of a list that has one entry for all, one for each, or none.
+template <class T>
+T nth(const std::vector<T>& list, std::size_t i, T absent) {
+  return list.empty() ? absent : list[std::min(i, list.size() - 1)];
+}
+
+/// A track that ends long before its recording, or names speeds no diesel has, is the wrong file.
+std::vector<double> speed_log(const std::string& file, std::size_t samples) {
+  constexpr double kMissing_s = 1;
+  const analysis::TimeTable table = analysis::read_time_table(file, "rpm");
+  const double seconds = static_cast<double>(samples) / analysis::kAnalysisRate;
+  if (table.time_s.front() > kMissing_s || table.time_s.back() < seconds - kMissing_s)
+    throw InputError(file, fmt::format("covers {:.1f}...{:.1f} s, expected all of the recording's {:.1f} s",
+                                       table.time_s.front(), table.time_s.back(), seconds));
+  for (std::size_t row = 0; row < table.value.size(); ++row)
+    if (!(table.value[row] >= kSlowest_rpm && table.value[row] <= kFastest_rpm))
+      throw InputError(file, 0, "rpm",
+                       fmt::format("is {:g} at {:g} s, expected {:.0f}...{:.0f} r/min", table.value[row],
+                                   table.time_s[row], kSlowest_rpm, kFastest_rpm));
+  return analysis::at_every_sample(table, samples);
+}
+
+void require_matching(const LearningOptions& o) {
+  const auto matches = [&](std::size_t given, const char* option) {
+    if (given > 1 && given != o.inputs.size())
+      throw cli::UsageError(option, fmt::format("{} given for {} recordings, expected one or one each", given,
+                                                o.inputs.size()));
+  };
+  matches(o.rpm.size(), "--rpm");
+  matches(o.load.size(), "--load");
+  matches(o.clicks.size(), "--clicks");
+  if (!o.rpm_tracks.empty() && o.rpm_tracks.size() != o.inputs.size())
+    throw cli::UsageError("--rpm-track", "expected one track a recording");
+  if (o.inputs.empty() != o.formula) throw cli::UsageError("IN", "expected either recordings or --formula");
+  if (!o.formula && o.rpm.empty() && o.rpm_tracks.empty())
+    throw cli::UsageError("--rpm", "is needed, or --rpm-track");
+}
+
+std::string name_of(const LearningOptions& o) {
+  if (!o.name.empty()) return o.name;
+  return o.formula ? "formula" : std::filesystem::path(o.inputs.front()).stem().string();
+}
+
+analysis::LearnedDiesel built_in() {
+  analysis::LearnedDiesel learned;
+  learned.model = default_diesel();
+  for (const DieselPoint& p : learned.model.points)
+    learned.points.push_back({p.source, p.rpm, p.load, 0, 0, 1, 1});
+  return learned;
+}
+
+}  // namespace
+
+std::vector<analysis::DieselTake> read_takes(const LearningOptions& o) {
+  require_matching(o);
+  std::vector<analysis::DieselTake> takes;
+  for (std::size_t i = 0; i < o.inputs.size(); ++i) {
+    const analysis::Recording recording = analysis::read_recording(o.inputs[i], {}, "engine");
+    analysis::DieselTake take;
+    take.source = o.inputs[i];
+    take.mono = recording.mono;
+    take.source_rate = recording.source_rate;
+    take.clipped = recording.clipped;
+    if (o.rpm_tracks.empty())
+      take.rpm = nth(o.rpm, i, 0.0);
+    else
+      take.rpm_log = speed_log(nth(o.rpm_tracks, i, std::string()), take.mono.size());
+    take.load = nth(o.load, i, 0.0);
+    if (!o.clicks.empty())
+      take.impacts_s = analysis::read_time_table(nth(o.clicks, i, std::string()), "amplitude").time_s;
+    takes.push_back(std::move(take));
+  }
+  return takes;
+}
+
+analysis::LearnedDiesel learn(const std::vector<analysis::DieselTake>& takes, const LearningOptions& o) {
+  analysis::DieselSettings settings = o.settings;
+  settings.name = name_of(o);
+  analysis::LearnedDiesel learned = o.formula ? built_in() : analysis::learn_diesel(takes, settings);
+  learned.model.name = settings.name;
+  if (!o.start.empty()) learned.model.start = analysis::read_recording(o.start, {}, "engine").mono;
+  if (!o.stop.empty()) learned.model.stop = analysis::read_recording(o.stop, {}, "engine").mono;
+  return learned;
+}
+
+void add_learning_options(cli::Verb& verb, LearningOptions& o) {
+  verb.positional("IN.wav", o.inputs, "recordings of one diesel, each at one speed or with its speed track");
+  const cli::Option rpm = verb.option("--rpm", o.rpm, "r/min of each recording, within 3 %")
+                              .separated_by_commas()
+                              .range(kSlowest_rpm, kFastest_rpm);
+  verb.option("--rpm-track", o.rpm_tracks, "CSV time_s,rpm of each recording").excludes(rpm);
+  verb.option("--load", o.load, "engine load of each recording").separated_by_commas().range(0, 1);
+  verb.option("--name", o.name, "name of the background (default: that of the first recording)");
+  verb.option("--clicks", o.clicks,
+              "CSV of `rigsound clicks`: the impacts in each recording, not listened to");
+  verb.option("--grains", o.settings.grains, "cycles to keep for the high layer, from clean recordings")
+      .value_or("48")
+      .range(48, 1000);
+  verb.option("--crossover", o.settings.crossover_hz, "Hz, between the low and the high layer")
+      .range(200, 800);
+  verb.option("--start", o.start, "recording of the diesel being started, kept as it is");
+  verb.option("--stop", o.stop, "recording of the diesel dying away, kept as it is");
+  verb.flag("--formula", o.formula, "the built-in diesel instead of recordings");
+}
+
+}  // namespace rigsound::tools
