@@ -1,0 +1,3 @@
+// toml++ itself, compiled here once.
+#define TOML_IMPLEMENTATION
+#include <toml++/toml.h>
