@@ -1,7 +1,6 @@
 // The engine behind the drill in the figures of its table: what is wanted and what was reached.
 //   background_bench [--data FOLDER]     recordings: FOLDER/engine, FOLDER/notes
-// FOLDER defaults to $RIGSOUND_SHARED_DATA, then to ../shared/data beside the project. Ends with 1 when a row
-// misses its bound.
+// FOLDER defaults to $RIGSOUND_TEST_DATA. Ends with 1 when a row misses its bound.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -10,8 +9,8 @@
 #include "background/table.hpp"
 
 int main(int argc, char** argv) {
-  std::filesystem::path data = RIGSOUND_SHARED_DATA;
-  if (const char* folder = std::getenv("RIGSOUND_SHARED_DATA")) data = folder;
+  std::filesystem::path data;
+  if (const char* folder = std::getenv("RIGSOUND_TEST_DATA")) data = folder;
   if (argc == 3 && std::strcmp(argv[1], "--data") == 0) {
     data = argv[2];
   } else if (argc != 1) {

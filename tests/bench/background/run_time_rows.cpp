@@ -6,7 +6,7 @@
 #include "background/learning.hpp"
 #include "background/table.hpp"
 #include "diesel/diesel_layer.hpp"
-#include "unit/engine/background_measures.hpp"
+#include "unit/engine/diesel/diesel_measures.hpp"
 
 namespace rigsound::bench {
 namespace {

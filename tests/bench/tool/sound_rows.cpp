@@ -6,10 +6,10 @@
 
 #include "bench/tool/row.hpp"
 #include "bench/tool/rows.hpp"
-#include "engine/modal_measure.hpp"
-#include "engine/sound_levels.hpp"
-#include "engine/tool_energy.hpp"
-#include "engine/tool_sounds.hpp"
+#include "engine/tool/modal_measure.hpp"
+#include "engine/tool/sound_levels.hpp"
+#include "engine/tool/tool_energy.hpp"
+#include "engine/tool/tool_sounds.hpp"
 #include "tool/design/mode_law.hpp"
 
 namespace rigsound::bench {

@@ -9,7 +9,7 @@
 
 #include "bench/tool/row.hpp"
 #include "bench/tool/rows.hpp"
-#include "engine/elastic_modes.hpp"
+#include "engine/tool/design/elastic_modes.hpp"
 #include "rigsound/dsp/random.hpp"
 #include "rigsound/tool_model.hpp"
 #include "tool/design/loop_designer.hpp"

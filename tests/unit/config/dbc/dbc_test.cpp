@@ -8,6 +8,7 @@
 #include "rigsound/can/signal_reading.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "temporary_folder.hpp"
+#include "test_data.hpp"
 
 using namespace rigsound;
 using namespace rigsound::test;
@@ -210,14 +211,11 @@ TEST_CASE("what is wrong is said with line, section and what was expected") {
 }
 
 TEST_CASE("real files: every message and signal their lines declare") {
-  const std::filesystem::path folder = std::filesystem::path(RIGSOUND_SHARED_DATA) / "dbc";
-  if (!std::filesystem::exists(folder)) {
-    std::printf("SKIPPED: real DBC files: %s is not there\n", folder.c_str());
-    return;
-  }
+  const auto folder = tests::test_data("real DBC files", "dbc");
+  if (!folder) return;
   for (const char* name : {"j1939.dbc", "vw_mqb.dbc", "comma_body.dbc"}) {
     INFO(name);
-    const std::string text = content(folder / name);
+    const std::string text = content(*folder / name);
     std::size_t messages = 0, signals = 0, start = 0;
     while (start < text.size()) {  // line by line, the plain way
       const std::size_t end = std::min(text.find('\n', start), text.size());
@@ -227,7 +225,7 @@ TEST_CASE("real files: every message and signal their lines declare") {
       signals += line.rfind("SG_ ", 0) == 0;
       start = end + 1;
     }
-    const config::Dbc dbc = config::load_dbc(folder / name);
+    const config::Dbc dbc = config::load_dbc(*folder / name);
     std::size_t found = 0;
     for (const config::DbcMessage& message : dbc.messages) found += message.signals.size();
     CHECK(messages > 5);

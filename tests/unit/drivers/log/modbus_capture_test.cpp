@@ -13,6 +13,7 @@
 #include "rigsound/log/modbus_capture_writer.hpp"
 #include "rigsound/log/modbus_log.hpp"
 #include "rigsound/machine/input_error.hpp"
+#include "test_data.hpp"
 
 using namespace rigsound;
 using namespace rigsound::log;
@@ -127,12 +128,9 @@ TEST_CASE("A cut-off capture, and what is none, are refused") {
 }
 
 TEST_CASE("A capture of a real device: every function, the refusal, the functions that carry no values") {
-  const fs::path file = fs::path(RIGSOUND_SHARED_DATA) / "modbus/icsnpp_modbus_example.pcap";
-  if (!fs::exists(file)) {
-    std::printf("SKIPPED: a real Modbus capture: %s is not there\n", file.c_str());
-    return;
-  }
-  ModbusCapture capture(file);
+  const auto file = tests::test_data("a real Modbus capture", "modbus/icsnpp_modbus_example.pcap");
+  if (!file) return;
+  ModbusCapture capture(*file);
   TimedExchange got;
   int written = 0, read = 0;
   while (capture.next(got)) {

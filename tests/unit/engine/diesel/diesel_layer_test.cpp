@@ -8,7 +8,7 @@
 #include "diesel/slot_source.hpp"
 #include "diesel/wavelet_tree.hpp"
 #include "engine/allocation_guard.hpp"
-#include "engine/background_measures.hpp"
+#include "engine/diesel/diesel_measures.hpp"
 #include "rigsound/default_diesel.hpp"
 #include "rigsound/dsp/linear_prediction.hpp"
 

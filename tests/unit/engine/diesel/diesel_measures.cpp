@@ -1,4 +1,4 @@
-#include "engine/background_measures.hpp"
+#include "engine/diesel/diesel_measures.hpp"
 
 #include <algorithm>
 #include <cmath>

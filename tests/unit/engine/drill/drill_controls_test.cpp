@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/formula_sounds.hpp"
-#include "engine/flat_bank.hpp"
+#include "engine/drill/flat_bank.hpp"
 #include "rigsound/bank_player.hpp"
 
 using namespace rigsound;

@@ -9,7 +9,7 @@
 #include "bench/formula_sounds.hpp"
 #include "drill/attack_decay.hpp"
 #include "drill/drill_layer.hpp"
-#include "engine/flat_bank.hpp"
+#include "engine/drill/flat_bank.hpp"
 #include "impact/impact_train.hpp"
 #include "rigsound/bank_player.hpp"
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/modal_measure.hpp"
-#include "engine/tool_energy.hpp"
-#include "engine/tool_sounds.hpp"
+#include "engine/tool/modal_measure.hpp"
+#include "engine/tool/tool_energy.hpp"
+#include "engine/tool/tool_sounds.hpp"
 #include "rigsound/tool_model.hpp"
 #include "tool/bar_loops.hpp"
 #include "tool/design/mode_law.hpp"

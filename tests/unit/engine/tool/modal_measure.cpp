@@ -1,4 +1,4 @@
-#include "engine/modal_measure.hpp"
+#include "engine/tool/modal_measure.hpp"
 
 #include <Eigen/Dense>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "engine/sound_levels.hpp"
+#include "engine/tool/sound_levels.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
-#include "engine/tool_energy.hpp"
+#include "engine/tool/tool_energy.hpp"
 
 #include <algorithm>
 
-#include "engine/tool_sounds.hpp"
+#include "engine/tool/tool_sounds.hpp"
 #include "rigsound/dsp/random.hpp"
 
 namespace rigsound::tests {

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "engine/allocation_guard.hpp"
-#include "engine/sound_levels.hpp"
-#include "engine/tool_sounds.hpp"
+#include "engine/tool/sound_levels.hpp"
+#include "engine/tool/tool_sounds.hpp"
 
 using namespace rigsound;
 using namespace rigsound::tool;

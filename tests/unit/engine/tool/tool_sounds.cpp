@@ -1,4 +1,4 @@
-#include "engine/tool_sounds.hpp"
+#include "engine/tool/tool_sounds.hpp"
 
 #include <algorithm>
 

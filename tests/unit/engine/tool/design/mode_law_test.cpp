@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include "engine/elastic_modes.hpp"
+#include "engine/tool/design/elastic_modes.hpp"
 
 using namespace rigsound;
 using namespace rigsound::tool;
