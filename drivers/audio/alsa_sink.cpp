@@ -1,16 +1,14 @@
-#include "rigsound/audio/alsa_sink.hpp"
+#include "audio/alsa_sink.hpp"
 
 #include <algorithm>
 #include <cerrno>
 
-#include "audio/pcm.hpp"
 #include "rigsound/audio/sample_format.hpp"
 #include "rigsound/device_error.hpp"
 
 namespace rigsound::audio {
 namespace {
 
-constexpr std::int64_t kFirstPause_ns = 100'000'000, kLongestPause_ns = 5'000'000'000;
 constexpr int kMostAttempts = 8;  // recoveries for one block before the card counts as lost
 
 std::string describe(const AudioOptions& options, const Granted& g) {
@@ -26,41 +24,36 @@ AlsaSink::AlsaSink(const AudioOptions& options, OpenPcm open, Clock& clock)
       open_(std::move(open)),
       clock_(clock),
       pacer_(clock, options.rate, options.block),
-      wait_ms_(std::max(200, static_cast<int>(4e3 * options.block * options.periods / options.rate))),
-      pause_ns_(kFirstPause_ns) {
-  const auto samples = static_cast<std::size_t>(options_.block) * static_cast<std::size_t>(options_.channels);
-  bytes_.resize(samples * sizeof(float));
+      wait_ms_(std::max(200, static_cast<int>(4e3 * options.block * options.periods / options.rate))) {
+  bytes_.resize(samples() * sizeof(float));
   silence_.assign(bytes_.size(), 0);
-  tend();
+  poll();
 }
 
-AlsaSink::AlsaSink(const AudioOptions& options, Clock& clock) : AlsaSink(options, open_alsa, clock) {}
-
-AlsaSink::~AlsaSink() {
-  delete pcm_;
-  delete offered_.load();
-  delete retired_.load();
+std::unique_ptr<SoundCard> make_sound_card(const AudioOptions& options, Clock& clock) {
+  return std::make_unique<AlsaSink>(options, open_alsa, clock);
 }
+
+std::int64_t AlsaSink::now_ms() noexcept { return clock_.now_ns() / 1'000'000; }
 
 void AlsaSink::count(CardEvent event) noexcept {
   events_[static_cast<std::size_t>(event)].fetch_add(1, std::memory_order_relaxed);
 }
 
 void AlsaSink::write(const float* block, std::uint64_t number) noexcept {
-  if (!pcm_) take_offer();
-  if (!pcm_) return pacer_.wait();
-  const std::size_t samples =
-      static_cast<std::size_t>(options_.block) * static_cast<std::size_t>(options_.channels);
-  convert(block, samples, number * samples, pcm_->granted().format, bytes_.data());
+  if (!pcm_ && !take_stream()) return pacer_.wait();
+  convert(block, samples(), number * samples(), pcm_->granted().format, bytes_.data());
   // The room is waited for here, not before the next write: the next block begins with the state of then.
   if (!play() || !make_room()) give_up();
 }
 
-void AlsaSink::take_offer() noexcept {
-  pcm_ = offered_.exchange(nullptr, std::memory_order_acquire);
-  if (!pcm_) return;
+/// False: there is no stream, or it does not start.
+bool AlsaSink::take_stream() noexcept {
+  if (!streams_.swap(pcm_)) return false;
   frame_bytes_ = bytes_per_sample(pcm_->granted().format) * static_cast<std::size_t>(options_.channels);
-  if (!restart()) give_up();
+  if (restart()) return true;
+  give_up();
+  return false;
 }
 
 bool AlsaSink::play() noexcept {
@@ -117,30 +110,26 @@ bool AlsaSink::restart() noexcept {
 
 void AlsaSink::give_up() noexcept {
   count(CardEvent::kLost);
-  retired_.store(pcm_, std::memory_order_release);
-  pcm_ = nullptr;
+  streams_.retire(pcm_);  // there is room: poll() offers a stream only after it has closed the last one
   pacer_.start();
   playing_.store(false, std::memory_order_release);
 }
 
-void AlsaSink::tend() {
+void AlsaSink::poll() {
   if (playing_.load(std::memory_order_acquire)) return;
-  delete retired_.exchange(nullptr,
-                           std::memory_order_acquire);  // a raw card must be closed to be opened again
-  const std::int64_t now = clock_.now_ns();
-  if (now < next_try_ns_) return;
+  streams_.collect();  // a raw card must be closed to be opened again
+  const std::int64_t now = now_ms();
+  if (!backoff_.due(now)) return;
   try {
     std::unique_ptr<Pcm> pcm = open_(options_);
     description_ = describe(options_, pcm->granted());
     format_ = pcm->granted().format;
-    pause_ns_ = kFirstPause_ns;
-    next_try_ns_ = now + pause_ns_;
+    backoff_.worked(now);
     playing_.store(true, std::memory_order_relaxed);
-    offered_.store(pcm.release(), std::memory_order_release);
+    streams_.offer(std::move(pcm));
   } catch (const DeviceError& error) {
     description_ = error.what();
-    next_try_ns_ = now + pause_ns_;
-    pause_ns_ = std::min(2 * pause_ns_, kLongestPause_ns);
+    backoff_.failed(now);
   }
 }
 

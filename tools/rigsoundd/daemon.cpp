@@ -17,16 +17,15 @@
 namespace rigsound::daemon {
 namespace {
 
-constexpr double kTend_s = 0.1;
+constexpr double kPoll_s = 0.1;
 constexpr double kSwapFade_s = 0.03;  // around a new engine
 constexpr double kMuteFade_s = 0.1, kLastFade_s = 0.3;
 constexpr double kLongestRingOut_s = 1;
-constexpr double kSilence_s = 2;  // after so long without sound a new run disturbs nobody
 
 std::unique_ptr<audio::Sink> make_sink(const audio::AudioOptions& options, audio::Clock& clock,
-                                       audio::AlsaSink*& card) {
+                                       audio::SoundCard*& card) {
   if (options.device == "null") return std::make_unique<audio::NullSink>(clock, options.rate, options.block);
-  auto sink = std::make_unique<audio::AlsaSink>(options, clock);
+  auto sink = audio::make_sound_card(options, clock);
   card = sink.get();
   return sink;
 }
@@ -84,10 +83,10 @@ void Daemon::run(int signals) {
   while (!stop_) {
     polls.assign(1, pollfd{signals, POLLIN, 0});
     for (const LineServer& server : servers_) server.add_polls(polls);
-    ::poll(polls.data(), polls.size(), static_cast<int>(kTend_s * 1e3));
+    ::poll(polls.data(), polls.size(), static_cast<int>(kPoll_s * 1e3));
     handle_signals(signals);
     for (LineServer& server : servers_) server.serve();
-    if (monotonic_s() >= next_tend_s_) tend();
+    if (monotonic_s() >= next_poll_s_) poll();
   }
   service_.stopping();
   fade_to_silence(kLastFade_s);
@@ -117,20 +116,20 @@ void Daemon::handle_signals(int signals) {
   }
 }
 
-void Daemon::tend() {
+void Daemon::poll() {
   const double now_s = monotonic_s();
-  next_tend_s_ = now_s + kTend_s;
-  if (card_ != nullptr) card_->tend();
+  next_poll_s_ = now_s + kPoll_s;
+  if (card_ != nullptr) card_->poll();
   report_card();
-  tend_session(now_s);
+  poll_session(now_s);
   service_.watch(audio_.figures().blocks.load(std::memory_order_relaxed), now_s);
 }
 
-void Daemon::tend_session(double now_s) {
-  recorder_.tend(now_s);
+void Daemon::poll_session(double now_s) {
+  recorder_.poll(now_s);
   if (audio_.figures().peak.load(std::memory_order_relaxed) > 0) silent_since_s_ = now_s;
   const bool other_card = recorder_.recording() && recorder_.header().format != session_header().format;
-  if (!other_card && !recorder_.wants_new_run(now_s - silent_since_s_ > kSilence_s)) return;
+  if (!other_card && !recorder_.wants_new_run(now_s - silent_since_s_)) return;
   spdlog::info("session: {} {}, the next one begins", recorder_.options().file.string(),
                other_card ? "was begun for another sample format" : "is full");
   try {
@@ -143,7 +142,7 @@ void Daemon::tend_session(double now_s) {
 /// The old engine's end must not be heard, nor the new one's start: both are silent where they meet.
 void Daemon::new_run(LoadedRig next) {
   fade_to_silence(kSwapFade_s);
-  recorder_.tend(monotonic_s());
+  recorder_.poll(monotonic_s());
   std::unique_ptr<Engine> engine = std::move(next.engine);
   loaded_ = std::move(next);
   recorder_.expect_run(session_header());

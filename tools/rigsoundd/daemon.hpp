@@ -14,8 +14,8 @@
 #include "line_server.hpp"
 #include "loaded_rig.hpp"
 #include "recorder.hpp"
-#include "rigsound/audio/alsa_sink.hpp"
 #include "rigsound/audio/null_sink.hpp"
+#include "rigsound/audio/sound_card.hpp"
 #include "service_manager.hpp"
 #include "state_exchange.hpp"
 
@@ -48,8 +48,8 @@ class Daemon : private Commanded {
 
   void open_sockets();
   void start_feeds();
-  void tend();
-  void tend_session(double now_s);
+  void poll();
+  void poll_session(double now_s);
   void report_card();
   void handle_signals(int signals);
   void new_run(LoadedRig next);
@@ -61,7 +61,7 @@ class Daemon : private Commanded {
   LoadedRig loaded_;
   StateExchange exchange_;
   audio::MonotonicClock clock_;
-  audio::AlsaSink* card_ = nullptr;  // sink_, when there is a card at all
+  audio::SoundCard* card_ = nullptr;  // sink_, when there is a card at all
   std::unique_ptr<audio::Sink> sink_;
   AudioThread audio_;
   Recorder recorder_;
@@ -69,7 +69,7 @@ class Daemon : private Commanded {
   std::vector<LineServer> servers_;
   ServiceManager service_;
   audio::CardStatus reported_;
-  double start_s_, next_tend_s_ = 0, silent_since_s_ = 0;
+  double start_s_, next_poll_s_ = 0, silent_since_s_ = 0;
   std::uint64_t reloads_ = 0, failed_reloads_ = 0;
   bool stop_ = false;
 };

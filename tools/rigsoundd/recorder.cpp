@@ -9,6 +9,7 @@ namespace {
 
 constexpr int kOlderSessions = 3;
 constexpr double kFlush_s = 0.5;
+constexpr double kSilence_s = 2;
 
 }  // namespace
 
@@ -58,7 +59,7 @@ void Recorder::drain() {
 }
 
 // The blocks counted before the queue is emptied are all told by what was in it.
-void Recorder::tend(double now_s) {
+void Recorder::poll(double now_s) {
   const std::uint32_t run = figures_.run.load(std::memory_order_acquire);
   const std::uint64_t blocks = figures_.run_blocks.load(std::memory_order_acquire);
   drain();
@@ -73,10 +74,10 @@ void Recorder::tend(double now_s) {
 
 void Recorder::finish() { drain(); }
 
-bool Recorder::wants_new_run(bool soon) const {
+bool Recorder::wants_new_run(double silent_s) const {
   if (!writer_) return false;
   const std::uint64_t share = options_.limit_bytes / (kOlderSessions + 1);
-  return broken() || writer_->bytes() > (soon ? share / 2 : share);
+  return broken() || writer_->bytes() > (silent_s > kSilence_s ? share / 2 : share);
 }
 
 }  // namespace rigsound::daemon

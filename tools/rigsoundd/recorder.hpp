@@ -28,11 +28,12 @@ class Recorder {
   const log::SessionHeader& header() const { return header_; }
 
   /// Takes what the audio thread left; at least once a second it is handed to the kernel.
-  void tend(double now_s);
+  void poll(double now_s);
   void finish();  ///< takes the rest; the audio thread must have stopped
 
-  /// The file is at its share of the limit (soon: at half of it), or has lost a record: a new run is due.
-  bool wants_new_run(bool soon) const;
+  /// The file is at its share of the limit, or has lost a record: a new run is due. `silent_s`: how long
+  /// there has been no sound; from 2 s on a new run disturbs nobody, and half the share is enough.
+  bool wants_new_run(double silent_s) const;
 
   void give_up(const std::string& why);  ///< this run is recorded no further
 

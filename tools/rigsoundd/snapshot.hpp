@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "feed.hpp"
-#include "rigsound/audio/alsa_sink.hpp"
+#include "rigsound/audio/sound_card.hpp"
 #include "rigsound/machine/machine_state.hpp"
 
 namespace rigsound::daemon {

@@ -51,7 +51,7 @@ struct Setup {
     return std::make_unique<Engine>(options, tools::formula_sounds());
   }
 
-  /// Drills for `blocks` blocks of changing state, tending the recorder meanwhile.
+  /// Drills for `blocks` blocks of changing state, polling the recorder meanwhile.
   void drill(std::uint64_t blocks) {
     const std::uint64_t end = audio.figures().blocks + blocks;
     for (int i = 0; audio.figures().blocks < end; ++i) {
@@ -59,7 +59,7 @@ struct Setup {
         board.take({{Signal::kEngineRpm}, 800.0 + i % 1000, Validity::kValid, 0.001 * i});
         board.take({{Signal::kFeedPressureBar}, static_cast<double>(i % 150), Validity::kValid, 0.001 * i});
       });
-      recorder.tend(0.01 * i);
+      recorder.poll(0.01 * i);
       std::this_thread::sleep_for(std::chrono::microseconds(300));
     }
   }
@@ -100,15 +100,15 @@ TEST_CASE("A session renders the very samples that were played, over a change of
   CHECK(s.audio.figures().lost_records == 0);
 }
 
-TEST_CASE("A recorder that is not tended loses records, says so, and writes nothing false") {
+TEST_CASE("A recorder that is not polled loses records, says so, and writes nothing false") {
   Setup s;
   s.audio.start();
   for (int i = 0; s.audio.figures().lost_records == 0; ++i)
     s.exchange.change([&](SignalBoard& board) {
       board.take({{Signal::kFeedPressureBar}, static_cast<double>(i % 290), Validity::kValid, 0});
     });
-  s.recorder.tend(1);
-  CHECK(s.recorder.wants_new_run(false));
+  s.recorder.poll(1);
+  CHECK(s.recorder.wants_new_run(0));
   s.audio.stop();
   s.recorder.finish();
   CHECK_THROWS(log::SessionStates(s.file));  // not one chunk: it cannot be whole
@@ -118,11 +118,11 @@ TEST_CASE("A folder that cannot be written stops the recording, not the sound") 
   Setup s;
   Recorder recorder({s.folder / "missing" / "run.rigsession", 1 << 20}, s.audio.records(), s.audio.figures());
   s.audio.start();
-  while (s.audio.figures().blocks < 20) recorder.tend(0);
-  recorder.tend(1);
+  while (s.audio.figures().blocks < 20) recorder.poll(0);
+  recorder.poll(1);
   CHECK_FALSE(recorder.recording());
   CHECK(recorder.problem().find("run.rigsession") != std::string::npos);
   const std::uint64_t before = s.audio.figures().blocks;
-  while (s.audio.figures().blocks < before + 20) recorder.tend(2);
+  while (s.audio.figures().blocks < before + 20) recorder.poll(2);
   s.audio.stop();
 }

@@ -36,6 +36,14 @@ class SwapSlot {
     return true;
   }
 
+  /// Leaves `current` to be collected without taking another. False, and nothing done: the last one left has
+  /// not been collected yet. Thread: RT
+  bool retire(std::unique_ptr<T>& current) noexcept {
+    if (retired_.load(std::memory_order_acquire) != nullptr) return false;
+    retired_.store(current.release(), std::memory_order_release);
+    return true;
+  }
+
   /// What the real-time thread gave up, or nothing. Thread: CT
   std::unique_ptr<T> collect() {
     return std::unique_ptr<T>(retired_.exchange(nullptr, std::memory_order_acquire));

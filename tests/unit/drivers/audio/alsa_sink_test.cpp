@@ -1,5 +1,5 @@
 // Every error a card can answer with: each block reaches the card once and in order, whatever happened.
-#include "rigsound/audio/alsa_sink.hpp"
+#include "audio/alsa_sink.hpp"
 
 #include <doctest/doctest.h>
 
@@ -158,14 +158,14 @@ TEST_CASE("A card that is gone is given up; blocks keep their pace; the card is 
     rig.card.present = false;
     const std::int64_t before = rig.clock.now;
     rig.clock.now += 200'000'000;
-    rig.sink->tend();
+    rig.sink->poll();
     CHECK(rig.card.open_streams == 0);
     rig.play(750);
     CHECK(rig.clock.now - before == doctest::Approx(750.0 * kBlock / 48000 * 1e9).epsilon(0.01));
 
     rig.card.present = true;
     rig.clock.now += 6'000'000'000;
-    rig.sink->tend();
+    rig.sink->poll();
     rig.card.heard.clear();
     const std::uint64_t first = rig.number;
     rig.play(5);
@@ -199,7 +199,7 @@ TEST_CASE("A card that cannot be prepared is given up and closed before it is op
   CHECK(rig.card.open_streams == 1);
   rig.card.present = false;
   rig.clock.now += 200'000'000;
-  rig.sink->tend();
+  rig.sink->poll();
   CHECK(rig.card.open_streams == 0);
 }
 
@@ -209,10 +209,10 @@ TEST_CASE("A missing card is looked for with pauses from 0.1 s doubling to 5 s")
   for (const std::int64_t pause_ms : {100, 200, 400, 800, 1600, 3200, 5000, 5000}) {
     const int before = rig.opens;
     rig.clock.now += (pause_ms - 1) * 1'000'000;
-    rig.sink->tend();
+    rig.sink->poll();
     CHECK(rig.opens == before);
     rig.clock.now += 1'000'000;
-    rig.sink->tend();
+    rig.sink->poll();
     CHECK(rig.opens == before + 1);
   }
   CHECK(rig.sink->status().description == "sound card: no such device");

@@ -1,0 +1,59 @@
+// Blocks onto an ALSA stream, every error of which has its own answer.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "audio/pcm.hpp"
+#include "backoff.hpp"
+#include "rigsound/audio/sound_card.hpp"
+#include "rigsound/handoff/swap_slot.hpp"
+
+namespace rigsound::audio {
+
+/// EPIPE and EBADFD prepare the stream again, ESTRPIPE resumes it once, anything that says the card is gone
+/// (or takes no samples for several buffers) gives it up. Every block goes to the card once and in order,
+/// after silence that fills the buffer whenever the stream starts anew.
+class AlsaSink final : public SoundCard {
+ public:
+  /// `open`: open_alsa(), or what a test puts in its place. Thread: OFF.
+  AlsaSink(const AudioOptions& options, OpenPcm open, Clock& clock);
+
+  void write(const float* block, std::uint64_t number) noexcept override;
+  void poll() override;
+  CardStatus status() const override;
+
+ private:
+  bool take_stream() noexcept;
+  bool play() noexcept;
+  bool make_room() noexcept;
+  bool recover(int error) noexcept;
+  bool restart() noexcept;
+  void give_up() noexcept;
+  void count(CardEvent event) noexcept;
+  std::int64_t now_ms() noexcept;
+  std::size_t samples() const { return static_cast<std::size_t>(options_.block) * options_.channels; }
+
+  AudioOptions options_;
+  OpenPcm open_;
+  Clock& clock_;
+  Pacer pacer_;
+  std::vector<unsigned char> bytes_, silence_;  // one block in the card's format
+  std::size_t frame_bytes_ = 0;
+  int wait_ms_ = 0;
+  std::unique_ptr<Pcm> pcm_;  // the audio thread's
+
+  SwapSlot<Pcm> streams_;  // opened by poll(), played by the audio thread, closed by poll()
+  std::atomic<bool> playing_{false};
+  std::array<std::atomic<std::uint64_t>, kCardEventCount> events_{};
+
+  std::string description_;
+  SampleFormat format_ = SampleFormat::kAuto;
+  Backoff backoff_;
+};
+
+}  // namespace rigsound::audio
