@@ -1,82 +1,85 @@
-#include "rigsound/can/can_bus.hpp"
+#include "can/can_bus.hpp"
 
 #include <linux/can.h>
 #include <linux/can/error.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 
-#include "can/can_port.hpp"
-#include "complaints.hpp"
 #include "rigsound/device_error.hpp"
+#include "rigsound/monotonic_time.hpp"
 
 namespace rigsound::can {
 namespace {
 
 constexpr int kRound_ms = 200;
-constexpr int kFirstPause_ms = 100, kLongestPause_ms = 5000;
 constexpr std::size_t kBatch = 256;
+
+CanSocketOptions socket_options(const CanOptions& options, const CanTap* tap) {
+  CanSocketOptions socket;
+  socket.interface = options.interface;
+  socket.fd = options.fd;
+  socket.everything = tap != nullptr;
+  for (const SignalRoute& route : options.routes) socket.wanted.push_back(route.match);
+  return socket;
+}
+
+double realtime_s() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+/// The kernel stamps with the time of day; readings count from the machine's start. `now_s` and
+/// `realtime_now_s` are the same moment on both clocks.
+double monotonic_arrival_s(const Arrival& arrival, double realtime_now_s, double now_s) {
+  const double age_s = arrival.realtime_s > 0 ? realtime_now_s - arrival.realtime_s : 0;
+  return now_s - std::clamp(age_s, 0.0, 1.0);
+}
 
 }  // namespace
 
-CanBus::CanBus(CanBusOptions options, CanListener& listener)
-    : CanBus(std::move(options), listener, kernel_can_port()) {}
-
-CanBus::CanBus(CanBusOptions options, CanListener& listener, std::unique_ptr<CanPort> port)
-    : options_(std::move(options)),
-      listener_(listener),
+CanBus::CanBus(const CanOptions& options, BusListener& listener, CanTap* tap, std::unique_ptr<CanPort> port)
+    : BusBase("can " + options.interface, targets(options.routes), listener),
+      options_(socket_options(options, tap)),
+      decoder_(options.routes),
+      tap_(tap),
       port_(std::move(port)),
-      complaints_(std::make_unique<Complaints>([this](const std::string& text) { listener_.notice(text); })),
-      batch_(kBatch),
-      pause_ms_(kFirstPause_ms) {}
-
-CanBus::~CanBus() = default;
-
-void CanBus::run(const std::atomic<bool>& stop) {
-  while (!stop.load(std::memory_order_relaxed)) step();
-}
+      batch_(kBatch) {}
 
 void CanBus::step() {
-  if (!link_) return look_for_interface();
-  const int got = link_->receive(batch_.data(), batch_.size(), kRound_ms);
-  dropped_.store(dropped_before_ + link_->dropped(), std::memory_order_relaxed);
-  if (got > 0) return sort(batch_.data(), static_cast<std::size_t>(got));
+  if (!socket_) return open();
+  const int got = socket_->receive(batch_.data(), batch_.size(), kRound_ms);
+  dropped_.store(dropped_before_ + socket_->dropped(), std::memory_order_relaxed);
+  if (got > 0) return dispatch(batch_.data(), static_cast<std::size_t>(got));
   if (got < 0) lose(options_.interface + ": " + std::strerror(-got));
 }
 
-void CanBus::look_for_interface() {
+void CanBus::open() {
   try {
-    link_ = port_->open(options_);
-    pause_ms_ = kFirstPause_ms;
-    last_problem_.clear();
+    socket_ = port_->open(options_);
+    opened();
     bus_off_ = false;
-    listener_.up();
+    report_up();
   } catch (const DeviceError& error) {
-    if (last_problem_ != error.what()) listener_.notice(error.what());
-    last_problem_ = error.what();
-    port_->wait_for_change(pause_ms_);
-    pause_ms_ = std::min(2 * pause_ms_, kLongestPause_ms);
+    port_->wait_for_change(static_cast<int>(open_failed(error.what())));
   }
 }
 
 void CanBus::lose(const std::string& why) {
   dropped_before_ = dropped_.load(std::memory_order_relaxed);
-  link_.reset();
+  socket_.reset();
   lost_.fetch_add(1, std::memory_order_relaxed);
-  listener_.down(why);
+  report_down(why);
 }
 
-// Runs of data frames go to the listener in one piece; error frames come singly between them.
-void CanBus::sort(const Arrival* first, std::size_t count) {
+// Runs of data frames are decoded in one piece; error frames come singly between them.
+void CanBus::dispatch(const Arrival* first, std::size_t count) {
   const Arrival* const end = first + count;
   const auto is_error = [](const Arrival& a) { return a.frame.error; };
   while (first != end) {
     const Arrival* const error = std::find_if(first, end, is_error);
-    if (error != first) {
-      frames_.fetch_add(static_cast<std::uint64_t>(error - first), std::memory_order_relaxed);
-      listener_.frames(first, static_cast<std::size_t>(error - first));
-    }
+    if (error != first) data_frames(first, static_cast<std::size_t>(error - first));
     if (error == end) return;
     error_frames_.fetch_add(1, std::memory_order_relaxed);
     controller_error(error->frame);
@@ -84,30 +87,45 @@ void CanBus::sort(const Arrival* first, std::size_t count) {
   }
 }
 
+void CanBus::data_frames(const Arrival* first, std::size_t count) {
+  frames_.fetch_add(count, std::memory_order_relaxed);
+  if (tap_ != nullptr) tap_->traffic(first, count);
+  const double realtime_now_s = realtime_s(), now_s = monotonic_s();
+  readings_.clear();
+  std::uint64_t used = 0;
+  for (const Arrival* a = first; a != first + count; ++a)
+    if (decoder_.decode(a->frame, monotonic_arrival_s(*a, realtime_now_s, now_s), readings_)) ++used;
+  report(readings_);
+  used_.fetch_add(used, std::memory_order_relaxed);
+}
+
 void CanBus::controller_error(const Frame& frame) {
   if ((frame.id & CAN_ERR_BUSOFF) != 0 && !bus_off_) {
     bus_off_ = true;
-    listener_.down(options_.interface +
-                   ": the controller is bus-off; it returns by itself only with `ip link set " +
-                   options_.interface + " type can restart-ms 100`");
+    report_down(options_.interface +
+                ": the controller is bus-off; it returns by itself only with `ip link set " +
+                options_.interface + " type can restart-ms 100`");
   }
   if ((frame.id & CAN_ERR_RESTARTED) != 0 && bus_off_) {
     bus_off_ = false;
-    listener_.up();
+    report_up();
   }
   const bool passive = (frame.data[1] & (CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_TX_PASSIVE)) != 0;
   if ((frame.id & CAN_ERR_CRTL) != 0 && passive)
-    complaints_->add(options_.interface +
-                     ": the controller is error-passive: look at wiring, termination, bit rate");
+    warn(options_.interface + ": the controller is error-passive: look at wiring, termination, bit rate");
 }
 
-CanCounters CanBus::counters() const noexcept {
-  CanCounters c;
-  c.frames = frames_.load(std::memory_order_relaxed);
-  c.error_frames = error_frames_.load(std::memory_order_relaxed);
-  c.dropped = dropped_.load(std::memory_order_relaxed);
-  c.lost = lost_.load(std::memory_order_relaxed);
-  return c;
+std::vector<BusCounter> CanBus::counters() const {
+  const auto read = [](const std::atomic<std::uint64_t>& x) { return x.load(std::memory_order_relaxed); };
+  return {{"frames_seen", read(frames_)},
+          {"frames_used", read(used_)},
+          {"frames_bad", read(error_frames_)},
+          {"frames_dropped", read(dropped_)},
+          {"losses", read(lost_)}};
+}
+
+std::unique_ptr<Bus> make_bus(const CanOptions& options, BusListener& listener, CanTap* tap) {
+  return std::make_unique<CanBus>(options, listener, tap, kernel_can_port());
 }
 
 }  // namespace rigsound::can

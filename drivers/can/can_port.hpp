@@ -4,15 +4,25 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <vector>
 
-#include "rigsound/can/can_bus.hpp"
+#include "rigsound/can/frame.hpp"
+#include "rigsound/can/signal_layout.hpp"
 
 namespace rigsound::can {
 
+struct CanSocketOptions {
+  std::string interface;
+  bool fd = false;
+  bool everything = false;           ///< no filter: all data frames
+  std::vector<MessageMatch> wanted;  ///< otherwise the kernel passes these and controller errors only
+};
+
 /// One open, bound socket.
-class CanLink {
+class CanSocket {
  public:
-  virtual ~CanLink() = default;
+  virtual ~CanSocket() = default;
   /// Waits for frames and fetches up to `capacity`. Returns how many, 0 when the time is up, or a
   /// negative errno value.
   virtual int receive(Arrival* out, std::size_t capacity, int timeout_ms) = 0;
@@ -23,7 +33,7 @@ class CanPort {
  public:
   virtual ~CanPort() = default;
   /// Throws DeviceError saying which interface it is and in what state.
-  virtual std::unique_ptr<CanLink> open(const CanBusOptions& options) = 0;
+  virtual std::unique_ptr<CanSocket> open(const CanSocketOptions& options) = 0;
   /// Returns when a network link changed, at the latest after `timeout_ms`.
   virtual void wait_for_change(int timeout_ms) = 0;
 };

@@ -28,17 +28,17 @@ constexpr int kReceiveBuffer = 4 << 20;  // bytes: a second of a fully loaded FD
   throw DeviceError("CAN interface " + interface + " " + what);
 }
 
-void set(int fd, int level, int name, const void* value, socklen_t size, const CanBusOptions& options) {
+void set(int fd, int level, int name, const void* value, socklen_t size, const CanSocketOptions& options) {
   if (::setsockopt(fd, level, name, value, size) != 0)
     fail(options.interface, std::string("refuses a socket option: ") + std::strerror(errno));
 }
 
-void set_on(int fd, int level, int name, const CanBusOptions& options) {
+void set_on(int fd, int level, int name, const CanSocketOptions& options) {
   const int on = 1;
   set(fd, level, name, &on, sizeof on, options);
 }
 
-// An interface that is down can be bound all the same; saying so here gives the user the mend.
+// An interface that is down can be bound all the same; saying so here tells the user the fix.
 int index_of_running(int fd, const std::string& interface) {
   ifreq request{};
   if (interface.size() >= IFNAMSIZ) fail(interface, "does not exist");
@@ -50,7 +50,7 @@ int index_of_running(int fd, const std::string& interface) {
   return index;
 }
 
-void set_filters(int fd, const CanBusOptions& options) {
+void set_filters(int fd, const CanSocketOptions& options) {
   const can_err_mask_t errors = CAN_ERR_BUSOFF | CAN_ERR_RESTARTED | CAN_ERR_CRTL;
   set(fd, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, &errors, sizeof errors, options);
   if (options.everything) return;
@@ -59,9 +59,9 @@ void set_filters(int fd, const CanBusOptions& options) {
       static_cast<socklen_t>(filters.size() * sizeof(can_filter)), options);
 }
 
-class KernelCanLink : public CanLink {
+class KernelCanSocket : public CanSocket {
  public:
-  explicit KernelCanLink(const CanBusOptions& options)
+  explicit KernelCanSocket(const CanSocketOptions& options)
       : fd_(::socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC, CAN_RAW)) {
     if (!fd_)
       fail(options.interface, std::string("cannot be used, no SocketCAN here: ") + std::strerror(errno));
@@ -144,8 +144,8 @@ class KernelCanPort : public CanPort {
       links_.reset();
   }
 
-  std::unique_ptr<CanLink> open(const CanBusOptions& options) override {
-    return std::make_unique<KernelCanLink>(options);
+  std::unique_ptr<CanSocket> open(const CanSocketOptions& options) override {
+    return std::make_unique<KernelCanSocket>(options);
   }
 
   // Without netlink (a sandbox may forbid it) the pauses alone find the interface. A poll of fd -1 just

@@ -17,33 +17,25 @@ bool is_exception(int error) { return error >= EMBXILFUN && error <= EMBXGTAR; }
 
 }  // namespace
 
-Client::Client(const ModbusOptions& options, ModbusListener& listener)
-    : options_(options),
-      listener_(listener),
-      complaints_([this](const std::string& text) { listener_.notice(text); }),
-      plan_(poll_plan(options.routes)) {}
+Client::Client(const ModbusOptions& options, BusListener& listener, ModbusTap* tap)
+    : ModbusBus(options, listener, tap), plan_(poll_plan(options.routes)) {}
 
 void Client::step() {
   if (context_) return poll();
-  if (backoff_.due()) return connect();
-  backoff_.wait();
+  if (may_open()) connect();
 }
 
 void Client::connect() {
   try {
     context_ = make_context(options_);
-    if (modbus_connect(context_.get()) == 0) {
-      modbus_flush(context_.get());  // a serial line may still hold answers to what was asked before
-      answered_ = false;
-      next_poll_ms_ = monotonic_ms();
-      return;
-    }
-    throw DeviceError("modbus " + options_.address + ": cannot be reached: " + modbus_strerror(errno));
+    if (modbus_connect(context_.get()) != 0)
+      throw DeviceError(text(std::string("cannot be reached: ") + modbus_strerror(errno)));
+    modbus_flush(context_.get());  // a serial line may still hold answers to what was asked before
+    answered_ = false;
+    next_poll_ms_ = monotonic_ms();
   } catch (const DeviceError& error) {
     context_.reset();
-    backoff_.failed();
-    if (last_problem_ != error.what()) listener_.notice(error.what());
-    last_problem_ = error.what();
+    open_failed(error.what());
   }
 }
 
@@ -54,26 +46,21 @@ void Client::poll() {
   next_poll_ms_ += period * (1 - left / period);  // a slow device loses polls, it does not gather them
 
   Exchange answer;
-  std::vector<Reading> values;
   for (const PollRequest& request : plan_) {
-    if (!ask(request, answer)) {
+    if (!read(request, answer)) {
       if (!context_) return;
       continue;
     }
     if (!answered_) {
       answered_ = true;
-      last_problem_.clear();
-      listener_.up();
+      report_up();
     }
-    listener_.exchange(answer);
-    values.clear();
-    readings(answer, options_.routes, monotonic_s(), values);
-    listener_.readings(values);
+    report_exchange(answer);
   }
-  backoff_.worked();  // not before: a device that answers wrong now and then is asked less and less often
+  opened();  // not before: a device that answers wrong now and then is asked less and less often
 }
 
-bool Client::ask(const PollRequest& request, Exchange& answer) {
+bool Client::read(const PollRequest& request, Exchange& answer) {
   answer = {options_.unit, request.table, false, request.address, {}};
   answer.values.resize(static_cast<std::size_t>(request.count));
   const bool bits = request.table == Table::kCoil || request.table == Table::kDiscrete;
@@ -102,9 +89,9 @@ bool Client::ask(const PollRequest& request, Exchange& answer) {
   const int error = errno;
   if (is_exception(error)) {
     count_.refused.fetch_add(1, std::memory_order_relaxed);
-    complaints_.add("modbus " + options_.address + ": " + describe(request.table, request.address) + " (" +
-                    std::to_string(request.count) + "): " + modbus_strerror(error));
-    doubt(request);
+    warn(text(describe(request.table, request.address) + " (" + std::to_string(request.count) +
+              "): " + modbus_strerror(error)));
+    report_error_value(request);
   } else {
     lose(error);
   }
@@ -112,14 +99,15 @@ bool Client::ask(const PollRequest& request, Exchange& answer) {
 }
 
 // The device lives but has no such register, or no value for it.
-void Client::doubt(const PollRequest& request) {
+void Client::report_error_value(const PollRequest& request) {
+  const double now_s = monotonic_s();
   std::vector<Reading> values;
   for (const RegisterRoute& route : options_.routes) {
     const int offset = route.address - request.address;
     if (route.table == request.table && offset >= 0 && offset < request.count)
-      values.push_back({route.target, 0, Validity::kErrorValue, monotonic_s()});
+      values.push_back({route.target, 0, Validity::kErrorValue, now_s});
   }
-  listener_.readings(values);
+  report(values);
 }
 
 // After a late or broken answer the stream is out of step: only a new connection, after a pause, is sure.
@@ -127,15 +115,14 @@ void Client::lose(int error) {
   if (error == EMBBADCRC || error == EMBBADDATA || error == EMBMDATA || error == EMBBADSLAVE)
     count_.bad_frames.fetch_add(1, std::memory_order_relaxed);
   context_.reset();
-  backoff_.failed();
-  const std::string why = "modbus " + options_.address + ": " + modbus_strerror(error);
+  pause_before_reopening();
+  const std::string why = text(modbus_strerror(error));
   if (answered_) {
     count_.lost.fetch_add(1, std::memory_order_relaxed);
-    listener_.down(why);
-  } else if (last_problem_ != why) {
-    listener_.notice(why);
+    report_down(why);
+  } else {
+    report_problem(why);
   }
-  last_problem_ = why;
   answered_ = false;
 }
 

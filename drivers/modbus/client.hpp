@@ -1,37 +1,31 @@
 // Asks a device for every register of the rig, once a poll.
 #pragma once
 
-#include <string>
+#include <cstdint>
 #include <vector>
 
-#include "complaints.hpp"
 #include "modbus/context.hpp"
+#include "modbus/modbus_bus.hpp"
 #include "modbus/poll_plan.hpp"
-#include "rigsound/modbus/modbus_link.hpp"
 
 namespace rigsound::modbus {
 
-class Client : public ModbusLink {
+class Client final : public ModbusBus {
  public:
-  Client(const ModbusOptions& options, ModbusListener& listener);
+  Client(const ModbusOptions& options, BusListener& listener, ModbusTap* tap);
   void step() override;
 
  private:
   void connect();
   void poll();
-  bool ask(const PollRequest& request, Exchange& answer);
-  void doubt(const PollRequest& request);
+  bool read(const PollRequest& request, Exchange& answer);
+  void report_error_value(const PollRequest& request);
   void lose(int error);
 
-  ModbusOptions options_;
-  ModbusListener& listener_;
-  Complaints complaints_;
   std::vector<PollRequest> plan_;
   Context context_;
-  Backoff backoff_;
   bool answered_ = false;  // since the connection was made: only an answer shows that somebody is there
   std::int64_t next_poll_ms_ = 0;
-  std::string last_problem_;
 };
 
 }  // namespace rigsound::modbus

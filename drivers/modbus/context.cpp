@@ -3,18 +3,13 @@
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cmath>
-#include <thread>
 
 #include "rigsound/device_error.hpp"
 
 namespace rigsound::modbus {
 namespace {
-
-constexpr std::int64_t kFirstPause_ms = 100, kLongestPause_ms = 5000, kRound_ms = 200;
 
 // It carries no parity bit, and from its second opening on tcsetattr() calls the wish for one EINVAL.
 bool is_pseudo_terminal(const std::string& device) {
@@ -42,28 +37,6 @@ Context make_context(const ModbusOptions& o) {
                               static_cast<std::uint32_t>((o.timeout_s - whole) * 1e6));
   modbus_set_error_recovery(context.get(), MODBUS_ERROR_RECOVERY_NONE);
   return context;
-}
-
-std::int64_t monotonic_ms() {
-  using namespace std::chrono;
-  return duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
-}
-
-bool Backoff::due() const { return monotonic_ms() >= next_ms_; }
-
-void Backoff::wait() const {
-  const std::int64_t left = std::clamp<std::int64_t>(next_ms_ - monotonic_ms(), 0, kRound_ms);
-  std::this_thread::sleep_for(std::chrono::milliseconds(left));
-}
-
-void Backoff::failed() {
-  next_ms_ = monotonic_ms() + pause_ms_;
-  pause_ms_ = std::min(2 * pause_ms_, kLongestPause_ms);
-}
-
-void Backoff::worked() {
-  next_ms_ = 0;
-  pause_ms_ = kFirstPause_ms;
 }
 
 }  // namespace rigsound::modbus

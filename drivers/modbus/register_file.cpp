@@ -60,7 +60,7 @@ std::uint16_t RegisterFile::held(std::uint16_t address) const {
   return mapping_->tab_registers[address - mapping_->start_registers];
 }
 
-std::optional<Refusal> RegisterFile::judge(const Request& request, Exchange& change) const {
+std::optional<Refusal> RegisterFile::check(const Request& request, Exchange& change) const {
   change = {};
   if (request.read && !readable(request.table, *request.read)) return Refusal::kAddress;
   if (!request.write) return std::nullopt;
@@ -73,11 +73,11 @@ std::optional<Refusal> RegisterFile::judge(const Request& request, Exchange& cha
     const int kept = held(change.address) & request.and_mask;
     change.values = {static_cast<std::uint16_t>(kept | (request.or_mask & ~request.and_mask))};
   }
-  return judge_values(change);
+  return check_values(change);
 }
 
 // Half a 32-bit value would be a wrong value until the other half comes, so it is refused.
-std::optional<Refusal> RegisterFile::judge_values(const Exchange& change) const {
+std::optional<Refusal> RegisterFile::check_values(const Exchange& change) const {
   const Range range{change.address, static_cast<int>(change.values.size())};
   for (const RegisterRoute& route : routes_) {
     if (route.table != change.table || !overlaps(route, range)) continue;

@@ -20,9 +20,9 @@ class RegisterFile {
   explicit RegisterFile(const std::vector<RegisterRoute>& routes);
 
   /// Whether the request may pass; then `change` holds what it writes (no values: it writes nothing).
-  std::optional<Refusal> judge(const Request& request, Exchange& change) const;
+  std::optional<Refusal> check(const Request& request, Exchange& change) const;
 
-  /// For modbus_reply, which carries out what judge() let pass.
+  /// For modbus_reply, which carries out what check() let pass.
   modbus_mapping_t* mapping() { return mapping_.get(); }
 
  private:
@@ -32,7 +32,7 @@ class RegisterFile {
   bool readable(Table table, const Range& range) const;
   bool writable(Table table, const Range& range) const;
   std::uint16_t held(std::uint16_t address) const;
-  std::optional<Refusal> judge_values(const Exchange& change) const;
+  std::optional<Refusal> check_values(const Exchange& change) const;
 
   std::vector<RegisterRoute> routes_;
   std::array<Range, 4> span_{};  // by Table

@@ -13,33 +13,24 @@ constexpr int kUnitAndChecksum = 3;  // bytes around the PDU of an RTU frame
 
 }  // namespace
 
-RtuServer::RtuServer(const ModbusOptions& options, ModbusListener& listener)
-    : options_(options),
-      listener_(listener),
-      complaints_([this](const std::string& text) { listener_.notice(text); }),
-      responder_(options, listener, complaints_) {}
+RtuServer::RtuServer(const ModbusOptions& options, BusListener& listener, ModbusTap* tap)
+    : ModbusServer(options, listener, tap) {}
 
 void RtuServer::step() {
-  if (!context_) return backoff_.due() ? open() : backoff_.wait();
+  if (!context_) {
+    if (may_open()) open();
+    return;
+  }
   std::array<std::uint8_t, MODBUS_RTU_MAX_ADU_LENGTH> frame{};
   const int size = modbus_receive(context_.get(), frame.data());
   if (size == 0) return;  // for another unit on the line
   if (size < 0) {
     const int error = errno;
     if (error == ETIMEDOUT) return;
-    return error == EMBBADCRC || error == EMBBADDATA ? garbled(error) : lose(error);
+    return error == EMBBADCRC || error == EMBBADDATA ? drop_bad_frame(error) : lose(error);
   }
   const auto pdu_size = static_cast<std::size_t>(size - kUnitAndChecksum);
-  switch (responder_.respond(context_.get(), frame.data(), size, pdu_size, "serial line")) {
-    case Responder::Outcome::kAnswered:
-      count_.requests.fetch_add(1, std::memory_order_relaxed);
-      break;
-    case Responder::Outcome::kRefused:
-      count_.refused.fetch_add(1, std::memory_order_relaxed);
-      break;
-    case Responder::Outcome::kNotSent:
-      lose(errno);
-  }
+  if (!respond(context_.get(), frame.data(), size, pdu_size, "serial line")) lose(errno);
 }
 
 void RtuServer::open() {
@@ -47,30 +38,27 @@ void RtuServer::open() {
     context_ = make_context(options_);
     modbus_set_indication_timeout(context_.get(), 0, kRound_us);
     if (modbus_connect(context_.get()) != 0)
-      throw DeviceError("modbus " + options_.address + ": cannot be opened: " + modbus_strerror(errno));
-    backoff_.worked();
-    last_problem_.clear();
-    listener_.up();
+      throw DeviceError(text(std::string("cannot be opened: ") + modbus_strerror(errno)));
+    opened();
+    report_up();
   } catch (const DeviceError& error) {
     context_.reset();
-    backoff_.failed();
-    if (last_problem_ != error.what()) listener_.notice(error.what());
-    last_problem_ = error.what();
+    open_failed(error.what());
   }
 }
 
 // What follows a broken frame belongs to it: only a silent line starts the next one.
-void RtuServer::garbled(int error) {
+void RtuServer::drop_bad_frame(int error) {
   count_.bad_frames.fetch_add(1, std::memory_order_relaxed);
-  complaints_.add("modbus " + options_.address + ": " + modbus_strerror(error));
+  warn(text(modbus_strerror(error)));
   modbus_flush(context_.get());
 }
 
 void RtuServer::lose(int error) {
   count_.lost.fetch_add(1, std::memory_order_relaxed);
   context_.reset();
-  backoff_.failed();
-  listener_.down("modbus " + options_.address + ": " + modbus_strerror(error));
+  pause_before_reopening();
+  report_down(text(modbus_strerror(error)));
 }
 
 }  // namespace rigsound::modbus

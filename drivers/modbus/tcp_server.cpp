@@ -9,6 +9,7 @@
 
 #include "modbus/tcp_socket.hpp"
 #include "rigsound/device_error.hpp"
+#include "rigsound/monotonic_time.hpp"
 #include "rigsound/socket/tcp_listener.hpp"
 
 namespace rigsound::modbus {
@@ -23,12 +24,8 @@ std::size_t length_field(const std::uint8_t* frame) {
 
 }  // namespace
 
-TcpServer::TcpServer(const ModbusOptions& options, ModbusListener& listener)
-    : options_(options),
-      listener_(listener),
-      complaints_([this](const std::string& text) { listener_.notice(text); }),
-      responder_(options, listener, complaints_),
-      context_(make_context(options)) {}
+TcpServer::TcpServer(const ModbusOptions& options, BusListener& listener, ModbusTap* tap)
+    : ModbusServer(options, listener, tap), context_(make_context(options)) {}
 
 int TcpServer::port() const {
   sockaddr_storage address{};
@@ -40,7 +37,10 @@ int TcpServer::port() const {
 }
 
 void TcpServer::step() {
-  if (!listening_) return backoff_.due() ? listen() : backoff_.wait();
+  if (!listening_) {
+    if (may_open()) listen();
+    return;
+  }
   std::vector<pollfd> polls = {{listening_.get(), POLLIN, 0}};
   for (const Connection& c : connections_) polls.push_back({c.fd.get(), POLLIN, 0});
   if (::poll(polls.data(), polls.size(), kRound_ms) < 0) return;
@@ -48,18 +48,15 @@ void TcpServer::step() {
     if (polls[i + 1].revents != 0 && !serve(connections_[i])) connections_[i].fd.reset();
   forget_closed();
   if (polls[0].revents != 0) accept_all();
-  count_.connections.store(connections_.size(), std::memory_order_relaxed);
+  open_.store(connections_.size(), std::memory_order_relaxed);
 }
 
 void TcpServer::listen() {
   try {
     listening_ = listen_tcp({options_.host, options_.port});
-    last_problem_.clear();
-    listener_.up();
+    report_up();
   } catch (const DeviceError& error) {
-    backoff_.failed();
-    if (last_problem_ != error.what()) listener_.notice(error.what());
-    last_problem_ = error.what();
+    open_failed(error.what());
   }
 }
 
@@ -72,9 +69,9 @@ void TcpServer::accept_all() {
     if (!fd) return;
     const bool welcome = allowed(address_bytes(peer), options_.allow);
     if (!welcome || connections_.size() >= kMaxConnections) {
-      count_.turned_away.fetch_add(1, std::memory_order_relaxed);
-      complaints_.add("modbus " + options_.address + ": " + address_text(peer) +
-                      " turned away: " + (welcome ? "too many connections" : "not in an allowed network"));
+      count_.rejected_connections.fetch_add(1, std::memory_order_relaxed);
+      warn(text(address_text(peer) + ": connection rejected: " +
+                (welcome ? "too many connections" : "not in an allowed network")));
       continue;
     }
     const int on = 1;
@@ -106,12 +103,9 @@ bool TcpServer::answer_whole_frames(Connection& c) {
     if (c.filled < size) return true;
     c.last_ms = monotonic_ms();
     modbus_set_socket(context_.get(), c.fd.get());
-    const auto outcome =
-        responder_.respond(context_.get(), c.bytes.data(), static_cast<int>(size), size - kMbap, c.peer);
+    const bool sent = respond(context_.get(), c.bytes.data(), static_cast<int>(size), size - kMbap, c.peer);
     modbus_set_socket(context_.get(), -1);
-    if (outcome == Responder::Outcome::kNotSent) return false;
-    (outcome == Responder::Outcome::kAnswered ? count_.requests : count_.refused)
-        .fetch_add(1, std::memory_order_relaxed);
+    if (!sent) return false;
     std::copy(c.bytes.begin() + static_cast<std::ptrdiff_t>(size),
               c.bytes.begin() + static_cast<std::ptrdiff_t>(c.filled), c.bytes.begin());
     c.filled -= size;
@@ -121,8 +115,7 @@ bool TcpServer::answer_whole_frames(Connection& c) {
 
 void TcpServer::bad_frame(const Connection& connection, const char* what) {
   count_.bad_frames.fetch_add(1, std::memory_order_relaxed);
-  complaints_.add("modbus " + options_.address + ": " + connection.peer + ": " + what +
-                  ", connection closed");
+  warn(text(connection.peer + ": " + what + ", connection closed"));
 }
 
 void TcpServer::forget_closed() {

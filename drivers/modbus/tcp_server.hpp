@@ -2,26 +2,26 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <string>
 #include <vector>
 
-#include "complaints.hpp"
 #include "modbus/context.hpp"
-#include "modbus/responder.hpp"
+#include "modbus/modbus_server.hpp"
 #include "rigsound/file/file_descriptor.hpp"
-#include "rigsound/modbus/modbus_link.hpp"
 
 namespace rigsound::modbus {
 
 constexpr int kMaxConnections = 32;
 constexpr std::int64_t kIdle_ms = 60'000;  ///< a connection without a request for so long is closed
 
-class TcpServer : public ModbusLink {
+class TcpServer final : public ModbusServer {
  public:
-  TcpServer(const ModbusOptions& options, ModbusListener& listener);
+  TcpServer(const ModbusOptions& options, BusListener& listener, ModbusTap* tap);
   void step() override;
 
   int port() const;  ///< bound, which matters when the options say 0; 0: not listening
+  std::size_t connections() const { return open_.load(std::memory_order_relaxed); }  ///< Thread: any
 
  private:
   struct Connection {
@@ -39,15 +39,10 @@ class TcpServer : public ModbusLink {
   void bad_frame(const Connection& connection, const char* what);
   void forget_closed();
 
-  ModbusOptions options_;
-  ModbusListener& listener_;
-  Complaints complaints_;
-  Responder responder_;
   Context context_;  // builds the answers; its socket is lent by the connection being served
-  Backoff backoff_;
-  std::string last_problem_;
   FileDescriptor listening_;
   std::vector<Connection> connections_;
+  std::atomic<std::size_t> open_{0};
 };
 
 }  // namespace rigsound::modbus

@@ -6,7 +6,7 @@
 #include <csignal>
 #include <cstdio>
 
-#include "record/bus_recorders.hpp"
+#include "record/bus_recorder.hpp"
 #include "rigsound/file/file_descriptor.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "verbs.hpp"

@@ -10,7 +10,9 @@
 
 #include "control_socket.hpp"
 #include "log_setup.hpp"
+#include "rigsound/can/can_bus.hpp"
 #include "rigsound/device_error.hpp"
+#include "rigsound/modbus/modbus_bus.hpp"
 #include "rigsound/monotonic_time.hpp"
 #include "rigsound/socket/tcp_listener.hpp"
 
@@ -73,8 +75,12 @@ void Daemon::open_sockets() {
 }
 
 void Daemon::start_feeds() {
-  for (const can::CanOptions& bus : loaded_.rig.can) feeds_.push_back(make_feed(bus, exchange_));
-  for (const modbus::ModbusOptions& bus : loaded_.rig.modbus) feeds_.push_back(make_feed(bus, exchange_));
+  const auto start = [this](const auto& bus) {
+    feeds_.push_back(
+        std::make_unique<Feed>([&](BusListener& listener) { return make_bus(bus, listener); }, exchange_));
+  };
+  for (const can::CanOptions& bus : loaded_.rig.can) start(bus);
+  for (const modbus::ModbusOptions& bus : loaded_.rig.modbus) start(bus);
 }
 
 void Daemon::run(int signals) {
@@ -205,7 +211,7 @@ void Daemon::report_card() {
   reported_ = now;
   std::string status = now.playing ? now.description : "no sound: " + now.description;
   for (const auto& feed : feeds_) {
-    const FeedStatus bus = feed->status();
+    const BusSnapshot bus = feed->snapshot();
     status += "; " + bus.name + (bus.up ? " up" : " down");
   }
   service_.status(status);

@@ -32,7 +32,7 @@ Snapshot Daemon::snapshot() const {
   s.lost_log_entries = lost_log_entries();
   s.session = {recorder_.options().file.string(), recorder_.problem(), recorder_.recording(),
                recorder_.bytes()};
-  for (const auto& feed : feeds_) s.buses.push_back(feed->status());
+  for (const auto& feed : feeds_) s.buses.push_back(feed->snapshot());
   for (std::size_t b = 0; b < loaded_.rig.engine.booms.size(); ++b)
     s.booms.push_back({loaded_.rig.engine.booms[b].name, exchange_.controls(static_cast<int>(b))});
   s.signals = signal_snapshots(heard);

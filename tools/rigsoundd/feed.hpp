@@ -2,33 +2,40 @@
 #pragma once
 
 #include <atomic>
-#include <cstdint>
+#include <functional>
 #include <memory>
-#include <string>
-#include <utility>
-#include <vector>
+#include <thread>
 
-#include "rigsound/can/can_options.hpp"
-#include "rigsound/modbus/modbus_options.hpp"
+#include "bus_status.hpp"
+#include "rigsound/bus/bus.hpp"
+#include "snapshot.hpp"
 #include "state_exchange.hpp"
 
 namespace rigsound::daemon {
 
-struct FeedStatus {
-  std::string name;  ///< "can can0", "modbus 127.0.0.1:1502"
-  bool up = false;
-  std::string problem;  ///< empty while all is well
-  std::vector<std::pair<std::string, std::uint64_t>> counters;
-};
-
 /// Runs from construction to destruction, which takes up to 0.2 s, or a device's time-out.
-class Feed {
+class Feed : private BusListener {
  public:
-  virtual ~Feed() = default;
-  virtual FeedStatus status() const = 0;  ///< Thread: CT
-};
+  using MakeBus = std::function<std::unique_ptr<Bus>(BusListener&)>;
 
-std::unique_ptr<Feed> make_feed(const can::CanOptions& options, StateExchange& exchange);
-std::unique_ptr<Feed> make_feed(const modbus::ModbusOptions& options, StateExchange& exchange);
+  Feed(const MakeBus& make, StateExchange& exchange);
+  ~Feed() override;
+  Feed(const Feed&) = delete;
+  Feed& operator=(const Feed&) = delete;
+
+  BusSnapshot snapshot() const;  ///< Thread: CT
+
+ private:
+  void readings(const Reading* first, std::size_t count) override;
+  void up() override { status_.up(); }
+  void down(const std::string& why) override { status_.down(why); }
+  void notice(const std::string& text) override { status_.notice(text); }
+
+  StateExchange& exchange_;
+  std::unique_ptr<Bus> bus_;
+  BusStatus status_;
+  std::atomic<bool> stop_{false};
+  std::thread thread_;  // last: it uses all of the above
+};
 
 }  // namespace rigsound::daemon

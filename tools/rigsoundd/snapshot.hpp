@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "feed.hpp"
 #include "rigsound/audio/sound_card.hpp"
+#include "rigsound/bus/bus.hpp"
 #include "rigsound/machine/machine_state.hpp"
 
 namespace rigsound::daemon {
@@ -16,6 +16,13 @@ struct SignalSnapshot {
   double value = 0;   ///< after the safety rule
   double age_s = -1;  ///< since it was last good; negative: never
   std::string validity;
+};
+
+struct BusSnapshot {
+  std::string name;  ///< "can can0", "modbus 127.0.0.1:1502"
+  bool up = false;
+  std::string problem;  ///< empty while all is well
+  std::vector<BusCounter> counters;
 };
 
 struct BoomSnapshot {
@@ -42,7 +49,7 @@ struct Snapshot {
   bool muted = false;
   std::uint64_t reloads = 0, failed_reloads = 0, lost_log_entries = 0;
   std::vector<SignalSnapshot> signals;
-  std::vector<FeedStatus> buses;
+  std::vector<BusSnapshot> buses;
   std::vector<BoomSnapshot> booms;
   SessionSnapshot session;
 };

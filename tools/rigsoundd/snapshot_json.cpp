@@ -41,9 +41,9 @@ Json signals_json(const Snapshot& s) {
 
 Json buses_json(const Snapshot& s) {
   Json json = Json::array();
-  for (const FeedStatus& bus : s.buses) {
+  for (const BusSnapshot& bus : s.buses) {
     Json entry = {{"name", bus.name}, {"up", bus.up}, {"problem", bus.problem}};
-    for (const auto& [name, count] : bus.counters) entry[name] = count;
+    for (const auto& [name, count] : bus.counters) entry[std::string(name)] = count;
     json.push_back(entry);
   }
   return json;

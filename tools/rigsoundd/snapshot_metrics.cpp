@@ -13,7 +13,7 @@ struct CounterText {
   const char* help;
 };
 constexpr CounterText kCardCounters[audio::kCardEventCount] = {
-    {"xruns", "Times the sound card ran out of samples."},
+    {"xruns", "Buffer underruns of the sound card."},
     {"suspends", "Times the sound card was suspended."},
     {"bad_states", "Times the sound card was in a state that takes no samples."},
     {"short_writes", "Blocks the sound card took in pieces."},
@@ -25,7 +25,7 @@ constexpr CounterText kBusCounters[] = {
     {"frames_bad", "Error frames of the CAN controller, or bytes that are no Modbus."},
     {"frames_dropped", "Frames the kernel dropped because they were not fetched in time."},
     {"requests_refused", "Modbus requests answered with an exception."},
-    {"connections_refused", "Modbus connections over the limit or from a network not allowed."},
+    {"rejected_connections", "Modbus connections over the limit or from a network not allowed."},
     {"losses", "Times the bus or the device went away."}};
 constexpr const char* kStates[] = {"never_seen",  "valid",         "stale",       "bus_down",
                                    "error_value", "not_available", "out_of_range"};
@@ -83,12 +83,12 @@ void add_audio(Page& page, const Snapshot& s) {
 // One family per counter name, one sample per bus that has it.
 void add_buses(Page& page, const Snapshot& s) {
   page.family("bus_up", "gauge", "1 while the bus delivers.");
-  for (const FeedStatus& bus : s.buses)
+  for (const BusSnapshot& bus : s.buses)
     page.sample("bus_up", "bus=\"" + escaped(bus.name) + "\"", bus.up ? 1 : 0);
   for (const auto& [name, help] : kBusCounters) {
     const std::string family = std::string("bus_") + name;
     page.family(family.c_str(), "counter", help);
-    for (const FeedStatus& bus : s.buses)
+    for (const BusSnapshot& bus : s.buses)
       for (const auto& [counter, value] : bus.counters)
         if (counter == name) page.sample(family + "_total", "bus=\"" + escaped(bus.name) + "\"", value);
   }

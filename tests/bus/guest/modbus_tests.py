@@ -115,7 +115,7 @@ class Server(unittest.TestCase):
             with socket.create_connection(('127.0.0.1', 1502)) as bad:
                 bad.sendall(b'\xff' + random.randbytes(300))
         flood = [socket.create_connection(('127.0.0.1', 1502)) for _ in range(100)]
-        wait_for('the flood to be turned away', lambda: self.bus()['connections_refused'] >= 68)
+        wait_for('the flood to be rejected', lambda: self.bus()['rejected_connections'] >= 68)
         wait_for('the garbage to be counted', lambda: self.bus()['frames_bad'] == 50)
         self.assertEqual(self.daemon.signal('rod_count')['value'], 7)
         self.assertFalse(client.write_register(8, 9, slave=1).isError())
@@ -136,7 +136,7 @@ class Stranger(unittest.TestCase):
                 return daemon.bus('modbus 0.0.0.0:1502')
             wait_for('the server', lambda: bus()['up'])
             self.assertNotEqual(mbpoll('-m', 'tcp', '-p', 1502, '-0', '-t', '4', '-r', 8, '127.0.0.1', 5).returncode, 0)
-            wait_for('the stranger', lambda: bus()['connections_refused'] >= 1)
+            wait_for('the stranger', lambda: bus()['rejected_connections'] >= 1)
             self.assertEqual((bus()['frames_seen'], daemon.signal('rod_count')['validity']), (0, 'never_seen'))
             self.assertIn('not in an allowed network', daemon.log())
             friend = ModbusTcpClient('127.0.0.1', port=1502, source_address=('127.0.0.2', 0))

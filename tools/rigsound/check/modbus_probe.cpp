@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "rigsound/device_error.hpp"
-#include "rigsound/modbus/modbus_link.hpp"
+#include "rigsound/modbus/modbus_bus.hpp"
 
 namespace rigsound::tools {
 namespace {
@@ -24,10 +24,12 @@ constexpr std::pair<WordOrder, std::string_view> kOrders[] = {{WordOrder::kAbcd,
                                                               {WordOrder::kDcba, "DCBA"}};
 
 /// Keeps what a device answers.
-class Answers : public modbus::ModbusListener {
+class Answers : public BusListener, public modbus::ModbusTap {
  public:
-  void readings(const std::vector<Reading>& readings) override { told_ += readings.size(); }
-  void exchange(const Exchange& exchange) override { exchanges_.push_back(exchange); }
+  void readings(const Reading*, std::size_t count) override { told_ += count; }
+  void traffic(const Exchange* first, std::size_t count) override {
+    exchanges_.insert(exchanges_.end(), first, first + count);
+  }
   void up() override {}
   void down(const std::string& why) override { throw DeviceError(why); }
   // Before the first answer it says why there is none; later, which register the device does not have.
@@ -85,8 +87,8 @@ void probe_modbus(const config::Rig& rig) {
   for (modbus::ModbusOptions options : rig.modbus) {
     options.role = modbus::Role::kClient;
     Answers answers;
-    const auto link = modbus::make_modbus_link(options, answers);
-    while (answers.told() < options.routes.size()) link->step();
+    const auto bus = modbus::make_bus(options, answers, &answers);
+    while (answers.told() < options.routes.size()) bus->step();
     fmt::print("probe {}\n", options.address);
     for (const RegisterRoute& route : options.routes) print_value(rig, route, answers.find(route));
   }

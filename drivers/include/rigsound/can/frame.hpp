@@ -1,4 +1,4 @@
-// One frame of a CAN bus, classic or FD.
+// A frame of a CAN bus, classic or FD.
 #pragma once
 
 #include <array>
@@ -21,6 +21,12 @@ struct Frame {
   std::uint8_t raw_dlc =
       0;  ///< 9...15 when a classic frame of 8 bytes was sent with such a length code; else 0
   std::array<std::uint8_t, kMaxData> data{};
+};
+
+/// A frame and when it came.
+struct Arrival {
+  Frame frame;
+  double realtime_s = 0;  ///< when the kernel got it, seconds since 1970; 0: it did not say
 };
 
 }  // namespace rigsound::can

@@ -1,14 +1,15 @@
 // An interface that goes, comes back, overflows and reports errors.
-#include "rigsound/can/can_bus.hpp"
+#include "can/can_bus.hpp"
 
 #include <doctest/doctest.h>
 #include <linux/can/error.h>
 
 #include <cerrno>
+#include <chrono>
 #include <deque>
 
-#include "can/can_port.hpp"
 #include "rigsound/device_error.hpp"
+#include "rigsound/monotonic_time.hpp"
 
 using namespace rigsound;
 using namespace rigsound::can;
@@ -21,15 +22,17 @@ struct Script {
   std::vector<Frame> frames;         // what the next receive() delivers
   std::uint64_t dropped = 0;
   std::vector<int> waits;
+  double realtime_s = 0;  // stamp of every frame
+  CanSocketOptions opened_with;
 };
 
-class ScriptedLink : public CanLink {
+class ScriptedSocket : public CanSocket {
  public:
-  explicit ScriptedLink(Script& script) : script_(script) {}
+  explicit ScriptedSocket(Script& script) : script_(script) {}
   int receive(Arrival* out, std::size_t, int) override {
     const int answer = script_.answers.front();
     script_.answers.pop_front();
-    for (int i = 0; i < answer; ++i) out[i].frame = script_.frames[static_cast<std::size_t>(i)];
+    for (int i = 0; i < answer; ++i) out[i] = {script_.frames[i], script_.realtime_s};
     return answer;
   }
   std::uint64_t dropped() const override { return script_.dropped; }
@@ -41,11 +44,12 @@ class ScriptedLink : public CanLink {
 class ScriptedPort : public CanPort {
  public:
   explicit ScriptedPort(Script& script) : script_(script) {}
-  std::unique_ptr<CanLink> open(const CanBusOptions&) override {
+  std::unique_ptr<CanSocket> open(const CanSocketOptions& options) override {
     const std::string refusal = script_.refusals.empty() ? "" : script_.refusals.front();
     if (!script_.refusals.empty()) script_.refusals.pop_front();
     if (!refusal.empty()) throw DeviceError(refusal);
-    return std::make_unique<ScriptedLink>(script_);
+    script_.opened_with = options;
+    return std::make_unique<ScriptedSocket>(script_);
   }
   void wait_for_change(int timeout_ms) override { script_.waits.push_back(timeout_ms); }
 
@@ -53,29 +57,53 @@ class ScriptedPort : public CanPort {
   Script& script_;
 };
 
-struct Story : CanListener {
-  void frames(const Arrival* first, std::size_t count) override {
+struct Story : BusListener, CanTap {
+  void traffic(const Arrival* first, std::size_t count) override {
     told.push_back("frames " + std::to_string(count) + " from " + std::to_string(first->frame.id));
+  }
+  void readings(const Reading* first, std::size_t count) override {
+    heard.insert(heard.end(), first, first + count);
   }
   void up() override { told.emplace_back("up"); }
   void down(const std::string& why) override { told.push_back("down " + why.substr(0, 20)); }
   void notice(const std::string& text) override { told.push_back("notice " + text); }
   std::vector<std::string> told;
+  std::vector<Reading> heard;
 };
 
+/// Feed pressure in the first byte of frames 7, rod count in the second.
+CanOptions options() {
+  CanOptions o;
+  o.interface = "can0";
+  SignalRoute pressure;
+  pressure.target = {Signal::kFeedPressureBar, 1};
+  pressure.match.id = 7;
+  pressure.layout.field = {0, 8, ByteOrder::kIntel};
+  SignalRoute rods = pressure;
+  rods.target = {Signal::kRodCount, 1};
+  rods.layout.field.start_bit = 8;
+  o.routes = {pressure, rods};
+  return o;
+}
+
 struct Setup {
-  Setup() {
-    CanBusOptions options;
-    options.interface = "can0";
-    bus = std::make_unique<CanBus>(options, story, std::make_unique<ScriptedPort>(script));
-  }
   void steps(int count) {
-    for (int i = 0; i < count; ++i) bus->step();
+    for (int i = 0; i < count; ++i) bus.step();
+  }
+  std::uint64_t count(std::string_view name) const {
+    for (const BusCounter& counter : bus.counters())
+      if (counter.name == name) return counter.count;
+    FAIL("no counter of that name");
+    return 0;
   }
   Script script;
   Story story;
-  std::unique_ptr<CanBus> bus;
+  CanBus bus{options(), story, &story, std::make_unique<ScriptedPort>(script)};
 };
+
+double realtime_s() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
 
 Frame data(std::uint32_t id) {
   Frame f;
@@ -112,7 +140,7 @@ TEST_CASE("A lost interface is told, left and opened again, whatever the reason"
     CHECK(s.story.told[1].substr(0, 10) == "down can0:");
     CHECK(s.story.told[2] == "up");
     CHECK(s.story.told[3] == "frames 1 from 7");
-    CHECK(s.bus->counters().lost == 1);
+    CHECK(s.count("losses") == 1);
   }
 }
 
@@ -127,10 +155,10 @@ TEST_CASE("Data and error frames are told apart in order, drops are counted over
   CHECK(s.story.told[1] == "frames 2 from 1");
   CHECK(s.story.told[2].find("error-passive") != std::string::npos);
   CHECK(s.story.told[3] == "frames 1 from 3");
-  const CanCounters c = s.bus->counters();
-  CHECK(c.frames == 3);
-  CHECK(c.error_frames == 2);
-  CHECK(c.dropped == 22);  // 11 on each of two sockets
+  CHECK(s.count("frames_seen") == 3);
+  CHECK(s.count("frames_used") == 0);
+  CHECK(s.count("frames_bad") == 2);
+  CHECK(s.count("frames_dropped") == 22);  // 11 on each of two sockets
 }
 
 TEST_CASE("A controller that reports its trouble again and again is told once a second at most") {
@@ -139,10 +167,10 @@ TEST_CASE("A controller that reports its trouble again and again is told once a 
   s.script.answers = {200, 200, 200};
   s.steps(4);
   CHECK(s.story.told.size() == 2);
-  CHECK(s.bus->counters().error_frames == 600);
+  CHECK(s.count("frames_bad") == 600);
 }
 
-TEST_CASE("Bus-off takes the bus down once, with the mend, until the controller restarts") {
+TEST_CASE("Bus-off takes the bus down once, with the fix, until the controller restarts") {
   Setup s;
   s.script.answers = {1, 1, 1};
   s.script.frames = {error(CAN_ERR_BUSOFF)};
@@ -150,4 +178,75 @@ TEST_CASE("Bus-off takes the bus down once, with the mend, until the controller 
   s.script.frames = {error(CAN_ERR_RESTARTED)};
   s.steps(1);
   CHECK(s.story.told == std::vector<std::string>{"up", "down can0: the controller", "up"});
+}
+
+TEST_CASE("A frame is decoded, and its reading carries the time the kernel stamped, on the readings' clock") {
+  Setup s;
+  Frame frame = data(7);
+  frame.data[0] = 85;
+  frame.data[1] = 3;
+  s.script.frames = {data(6), frame};
+  s.script.answers = {2};
+  const double before_s = monotonic_s();
+  s.script.realtime_s = realtime_s() - 0.25;
+  s.steps(2);
+  const double after_s = monotonic_s();
+  REQUIRE(s.story.heard.size() == 2);
+  CHECK(s.story.heard[0].id.signal == Signal::kFeedPressureBar);
+  CHECK(s.story.heard[0].id.boom == 1);
+  CHECK(s.story.heard[0].value == 85);
+  CHECK(s.story.heard[1].value == 3);
+  for (const Reading& reading : s.story.heard) {
+    CHECK(reading.validity == Validity::kValid);
+    CHECK(reading.time_s > before_s - 0.25 - 0.01);  // the clocks are read one after the other, and slewed
+    CHECK(reading.time_s < after_s - 0.25 + 0.01);
+  }
+  CHECK(s.count("frames_used") == 1);
+}
+
+TEST_CASE("A frame without a stamp counts as of now, one of the future or of long ago within a second") {
+  for (const double age_s : {0.0, -100.0, 100.0}) {
+    CAPTURE(age_s);
+    Setup s;
+    s.script.frames = {data(7)};
+    s.script.answers = {1};
+    s.script.realtime_s = age_s == 0 ? 0 : realtime_s() - age_s;
+    const double before_s = monotonic_s();
+    s.steps(2);
+    const double offset_s = age_s > 0 ? 1 : 0;
+    REQUIRE(s.story.heard.size() == 2);
+    CHECK(s.story.heard[0].time_s >= before_s - offset_s);
+    CHECK(s.story.heard[0].time_s <= monotonic_s() - offset_s);
+  }
+}
+
+TEST_CASE("A bus that goes down says so of every signal, with the time, before it says why") {
+  Setup s;
+  s.script.answers = {-ENETDOWN};
+  const double before_s = monotonic_s();
+  s.steps(2);
+  REQUIRE(s.story.heard.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(s.story.heard[i].id.signal == s.bus.signals()[i].signal);
+    CHECK(s.story.heard[i].id.boom == 1);
+    CHECK(s.story.heard[i].validity == Validity::kBusDown);
+    CHECK(s.story.heard[i].time_s >= before_s);
+    CHECK(s.story.heard[i].time_s <= monotonic_s());
+  }
+}
+
+TEST_CASE("The kernel passes the messages of the routes; with a tap all data frames") {
+  for (const bool tapped : {false, true}) {
+    Script script;
+    Story story;
+    CanBus bus(options(), story, tapped ? &story : nullptr, std::make_unique<ScriptedPort>(script));
+    script.frames = {data(9)};
+    script.answers = {1};
+    bus.step();
+    bus.step();
+    CHECK(script.opened_with.everything == tapped);
+    REQUIRE(script.opened_with.wanted.size() == 2);
+    CHECK(script.opened_with.wanted[0].id == 7);
+    CHECK(story.told.size() == (tapped ? 2 : 1));
+  }
 }

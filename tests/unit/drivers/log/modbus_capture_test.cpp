@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "drivers/modbus/link_harness.hpp"
+#include "drivers/modbus/bus_harness.hpp"
 #include "log/modbus_conversation.hpp"
 #include "rigsound/log/modbus_capture_writer.hpp"
 #include "rigsound/log/modbus_log.hpp"

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "drivers/modbus/link_harness.hpp"
+#include "drivers/modbus/bus_harness.hpp"
 #include "modbus/poll_plan.hpp"
 
 using namespace rigsound;

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "drivers/modbus/link_harness.hpp"
+#include "drivers/modbus/bus_harness.hpp"
 #include "modbus/register_file.hpp"
 
 using namespace rigsound;
@@ -76,7 +76,7 @@ TEST_CASE("Reads may span the rig's addresses, writes must hit them whole and in
     Request request;
     Exchange change;
     REQUIRE_FALSE(parse(pdu.data(), pdu.size(), request).has_value());
-    return file.judge(request, change);
+    return file.check(request, change);
   };
   CHECK_FALSE(judged({3, 0, 10, 0, 4}).has_value());  // the gap at 11 reads 0
   CHECK(judged({3, 0, 9, 0, 2}) == Refusal::kAddress);

@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "drivers/modbus/link_harness.hpp"
+#include "drivers/modbus/bus_harness.hpp"
 #include "drivers/modbus/serial_line.hpp"
 
 using namespace rigsound;
@@ -17,7 +17,7 @@ struct Line : SerialLine {
     options.address = device();
     options.unit = 17;
     options.routes = {route(Signal::kFeedPressureBar, Table::kHolding, 0)};
-    server = std::make_unique<RtuServer>(options, told);
+    server = std::make_unique<RtuServer>(options, told, nullptr);
     server->step();  // opens the line
     running = std::make_unique<Running>(*server);
   }
@@ -50,13 +50,13 @@ TEST_CASE("Other units' frames, broken checksums and refused values change nothi
   Bytes broken = kWrite85;
   broken.back() ^= 0xff;
   line.say(broken);
-  await([&] { return line.server->counters().bad_frames == 1; });
+  await([&] { return count(*line.server, "frames_bad") == 1; });
   line.say(with_checksum({17, 6, 0, 0, 2, 0}));
   CHECK(line.hear(5) == with_checksum({17, 0x86, 3}));
   line.say(kWrite85);
   line.hear(kWrite85.size());
   await([&] { return line.told.total() == 1; });
-  CHECK(line.server->counters().refused == 1);
+  CHECK(count(*line.server, "requests_refused") == 1);
 }
 
 TEST_CASE("A line that goes away is told, and looked for") {

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "drivers/modbus/link_harness.hpp"
+#include "drivers/modbus/bus_harness.hpp"
 #include "modbus/tcp_socket.hpp"
 
 using namespace rigsound;
@@ -26,7 +26,7 @@ struct Served {
         route(Signal::kFeedPressureBar, Table::kHolding, 0, WordType::kUint16, WordOrder::kAbcd, 0.1),
         route(Signal::kEngineRpm, Table::kHolding, 2, WordType::kFloat32),
         route(Signal::kPercussion, Table::kCoil, 0), route(Signal::kRodCount, Table::kHolding, 4)};
-    server = std::make_unique<TcpServer>(options, told);
+    server = std::make_unique<TcpServer>(options, told, nullptr);
     server->step();  // starts to listen
     REQUIRE(server->port() != 0);
     running = std::make_unique<Running>(*server);
@@ -91,8 +91,8 @@ TEST_CASE("Every writing function changes state, every reading one shows it") {
   REQUIRE(modbus_read_registers(c.get(), 0, 5, got) == 5);
   CHECK(got[2] == 0x43F9);
   CHECK(got[4] == 6);
-  await([&] { return s.server->counters().requests == 7; });
-  CHECK(s.server->counters().refused == 0);
+  await([&] { return count(*s.server, "frames_used") == 7; });
+  CHECK(count(*s.server, "requests_refused") == 0);
 }
 
 TEST_CASE("Values that are no values and addresses that are none are refused, the old value stays") {
@@ -114,7 +114,7 @@ TEST_CASE("Values that are no values and addresses that are none are refused, th
   std::uint8_t id[64] = {};
   CHECK(refused_as(1, modbus_report_slave_id(c.get(), 64, id)));
   CHECK(s.told.total() == before);
-  await([&] { return s.server->counters().refused == 9; });
+  await([&] { return count(*s.server, "requests_refused") == 9; });
   CHECK(s.told.notices() >= 1);
   CHECK(s.told.notices() < 9);  // once a second at most
   REQUIRE(modbus_read_registers(c.get(), 0, 1, got) == 1);
@@ -132,7 +132,7 @@ TEST_CASE("Garbage and lying lengths close their connection and nothing else") {
     send_all(fd, bad);
     CHECK(closed_by_peer(fd));
   }
-  CHECK(s.server->counters().bad_frames == 4);
+  CHECK(count(*s.server, "frames_bad") == 4);
   REQUIRE(modbus_write_register(c.get(), 0, 700) == 1);
   CHECK(s.told.of(Signal::kFeedPressureBar).value == doctest::Approx(70));
 }
@@ -155,18 +155,18 @@ TEST_CASE("A frame may come byte by byte or several at once; half a frame change
   await([&] { return s.told.total() == 4; });
 }
 
-TEST_CASE("A flood of connections is turned away, those inside keep working") {
+TEST_CASE("A flood of connections is rejected, those inside keep working") {
   Served s;
   const Context c = s.client();
   REQUIRE(modbus_write_register(c.get(), 0, 1) == 1);
   std::vector<FileDescriptor> flood;
   for (int i = 0; i < 100; ++i) flood.push_back(s.raw());
-  await([&] { return s.server->counters().turned_away == 100 - (kMaxConnections - 1); });
-  await([&] { return s.server->counters().connections == kMaxConnections; });
+  await([&] { return count(*s.server, "rejected_connections") == 100 - (kMaxConnections - 1); });
+  await([&] { return s.server->connections() == kMaxConnections; });
   REQUIRE(modbus_write_register(c.get(), 0, 700) == 1);
   CHECK(s.told.notices() <= 3);
   flood.clear();
-  await([&] { return s.server->counters().connections == 1; });
+  await([&] { return s.server->connections() == 1; });
   const Context late = s.client();
   CHECK(modbus_write_register(late.get(), 0, 10) == 1);
 }
@@ -192,7 +192,7 @@ TEST_CASE("A port in use is told and tried again") {
   ModbusOptions options = s.options;
   options.port = s.server->port();
   Told told;
-  TcpServer second(options, told);
+  TcpServer second(options, told, nullptr);
   second.step();
   CHECK(told.notices() == 1);
   CHECK(second.port() == 0);

@@ -1,4 +1,4 @@
-#include "bus_log.hpp"
+#include "bus_status.hpp"
 
 #include <spdlog/spdlog.h>
 
@@ -6,32 +6,32 @@ namespace rigsound::daemon {
 
 using Lock = std::lock_guard<std::mutex>;
 
-void BusLog::up() {
+void BusStatus::up() {
   const Lock lock(mutex_);
   up_ = true;
   problem_.clear();
   spdlog::info("{}: up", name_);
 }
 
-void BusLog::down(const std::string& why) {
+void BusStatus::down(const std::string& why) {
   const Lock lock(mutex_);
   up_ = false;
   problem_ = why;
   spdlog::warn("{}: down: {}", name_, why);
 }
 
-void BusLog::notice(const std::string& text) {
+void BusStatus::notice(const std::string& text) {
   const Lock lock(mutex_);
   if (!up_) problem_ = text;
   spdlog::warn("{}: {}", name_, text);
 }
 
-bool BusLog::is_up() const {
+bool BusStatus::is_up() const {
   const Lock lock(mutex_);
   return up_;
 }
 
-std::string BusLog::last_problem() const {
+std::string BusStatus::last_problem() const {
   const Lock lock(mutex_);
   return problem_;
 }

@@ -1,4 +1,4 @@
-// What a bus thread says, for the log and for whoever asks later.
+// Whether a bus is up, and what was wrong last; each change goes to the log.
 #pragma once
 
 #include <mutex>
@@ -7,9 +7,9 @@
 namespace rigsound::daemon {
 
 /// Thread: any.
-class BusLog {
+class BusStatus {
  public:
-  explicit BusLog(std::string name) : name_(std::move(name)) {}
+  explicit BusStatus(std::string name) : name_(std::move(name)) {}
 
   void up();
   void down(const std::string& why);

@@ -1,10 +1,9 @@
 // Records every bus of a rig until told to stop.
 #pragma once
 
-#include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <string>
 
 #include "rigsound/config/rig.hpp"
 
@@ -21,7 +20,7 @@ class BusRecorder {
 /// All frames of all CAN interfaces of the rig, as candump -l writes them. Errors: DeviceError.
 std::unique_ptr<BusRecorder> record_can(const config::Rig& rig, const std::filesystem::path& file);
 
-/// All exchanges of all Modbus links of the rig, as a capture; each link plays its part (client or server)
+/// All exchanges of all Modbus buses of the rig, as a capture; each plays its part (client or server)
 /// while it is recorded. Errors: DeviceError.
 std::unique_ptr<BusRecorder> record_modbus(const config::Rig& rig, const std::filesystem::path& file);
 

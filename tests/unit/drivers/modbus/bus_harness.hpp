@@ -1,4 +1,4 @@
-// Runs a link on its own thread and keeps what it told.
+// Runs a bus on its own thread and keeps what it told.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -9,16 +9,16 @@
 #include <mutex>
 #include <thread>
 
-#include "rigsound/modbus/modbus_link.hpp"
+#include "rigsound/modbus/modbus_bus.hpp"
 
 namespace rigsound::modbus {
 
-class Told : public ModbusListener {
+class Told : public BusListener {
  public:
-  void readings(const std::vector<Reading>& readings) override {
+  void readings(const Reading* first, std::size_t count) override {
     const std::lock_guard<std::mutex> lock(mutex_);
-    for (const Reading& r : readings) latest_[r.id.signal] = r;
-    total_ += readings.size();
+    for (const Reading* r = first; r != first + count; ++r) latest_[r->id.signal] = *r;
+    total_ += count;
   }
   void up() override { add(ups_); }
   void down(const std::string& why) override { add(downs_, why); }
@@ -63,7 +63,7 @@ inline void await(const std::function<bool()>& done) {
 
 class Running {
  public:
-  explicit Running(ModbusLink& link) : thread_([this, &link] { link.run(stop_); }) {}
+  explicit Running(Bus& bus) : thread_([this, &bus] { bus.run(stop_); }) {}
   ~Running() {
     stop_ = true;
     thread_.join();
@@ -73,6 +73,14 @@ class Running {
   std::atomic<bool> stop_{false};
   std::thread thread_;
 };
+
+/// Fails the test when the bus has no counter of that name.
+inline std::uint64_t count(const Bus& bus, std::string_view name) {
+  for (const BusCounter& counter : bus.counters())
+    if (counter.name == name) return counter.count;
+  FAIL("no counter of that name");
+  return 0;
+}
 
 inline RegisterRoute route(Signal s, Table table, std::uint16_t address, WordType type = WordType::kUint16,
                            WordOrder order = WordOrder::kAbcd, double scale = 1) {

@@ -1,0 +1,24 @@
+#include "feed.hpp"
+
+namespace rigsound::daemon {
+
+Feed::Feed(const MakeBus& make, StateExchange& exchange)
+    : exchange_(exchange), bus_(make(*this)), status_(bus_->name()), thread_([this] { bus_->run(stop_); }) {}
+
+Feed::~Feed() {
+  stop_ = true;
+  thread_.join();
+}
+
+BusSnapshot Feed::snapshot() const {
+  return {bus_->name(), status_.is_up(), status_.last_problem(), bus_->counters()};
+}
+
+void Feed::readings(const Reading* first, std::size_t count) {
+  if (count == 0) return;
+  exchange_.change([&](SignalBoard& board) {
+    for (const Reading* reading = first; reading != first + count; ++reading) board.take(*reading);
+  });
+}
+
+}  // namespace rigsound::daemon
