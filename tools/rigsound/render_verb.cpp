@@ -8,9 +8,9 @@
 #include "rigsound/config/fingerprint.hpp"
 #include "rigsound/config/rig.hpp"
 #include "rigsound/default_diesel.hpp"
-#include "rigsound/log/log_states.hpp"
-#include "rigsound/log/session_states.hpp"
 #include "rigsound/machine/input_error.hpp"
+#include "rigsound/session/log_states.hpp"
+#include "rigsound/session/session_states.hpp"
 #include "sha256.hpp"
 #include "verbs.hpp"
 
@@ -47,7 +47,7 @@ void render_log(const Options& options) {
   config::Rig rig = config::load_rig(options.rig);
   if (options.seed) rig.engine.seed = *options.seed;
   const std::unique_ptr<log::BusLog> log = log::open_log(options.log, rig.can, rig.modbus);
-  log::LogStates states(*log, rig.safety, rig.engine);
+  session::LogStates states(*log, rig.safety, rig.engine);
   render(rig, states, audio::SampleFormat::kFloat, options.out);
   print_log_notes(options.log, *log);
 }
@@ -55,8 +55,8 @@ void render_log(const Options& options) {
 /// What the session was rendered with counts; the rest must be what it was.
 void render_session(const Options& options) {
   config::Rig rig = config::load_rig(options.rig);
-  log::SessionStates states(options.session);
-  const log::SessionHeader& header = states.header();
+  session::SessionStates states(options.session);
+  const session::SessionHeader& header = states.header();
   rig.engine.seed = header.seed;
   rig.engine.sample_rate = header.sample_rate;
   rig.engine.block = header.block;

@@ -217,8 +217,8 @@ void Daemon::report_card() {
   service_.status(status);
 }
 
-log::SessionHeader Daemon::session_header() const {
-  log::SessionHeader header;
+session::SessionHeader Daemon::session_header() const {
+  session::SessionHeader header;
   header.program = RIGSOUND_VERSION;
   header.fingerprint = loaded_.fingerprint;
   header.seed = loaded_.rig.engine.seed;

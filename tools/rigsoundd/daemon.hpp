@@ -54,7 +54,7 @@ class Daemon : private Commanded {
   void handle_signals(int signals);
   void new_run(LoadedRig next);
   void fade_to_silence(double fade_s);
-  log::SessionHeader session_header() const;
+  session::SessionHeader session_header() const;
   audio::CardStatus card() const;
   std::vector<SignalSnapshot> signal_snapshots(const MachineState& heard) const;
 

@@ -29,8 +29,8 @@ void Recorder::begin(const RunRecord& first) {
   writer_.reset();
   if (options_.file.empty()) return;
   try {
-    log::shift_older_sessions(options_.file, kOlderSessions);
-    writer_ = std::make_unique<log::SessionWriter>(options_.file, header_);
+    session::shift_older_sessions(options_.file, kOlderSessions);
+    writer_ = std::make_unique<session::SessionWriter>(options_.file, header_);
     spdlog::info("session: {}", options_.file.string());
   } catch (const DeviceError& error) {
     give_up(error.what());

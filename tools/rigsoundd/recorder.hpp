@@ -8,7 +8,7 @@
 #include <string>
 
 #include "audio_figures.hpp"
-#include "rigsound/log/session_writer.hpp"
+#include "rigsound/session/session_writer.hpp"
 #include "run_record.hpp"
 
 namespace rigsound::daemon {
@@ -24,8 +24,8 @@ class Recorder {
   Recorder(RecorderOptions options, RunQueue& records, const AudioFigures& figures);
 
   /// What the next run is rendered with; must be told before it begins.
-  void expect_run(const log::SessionHeader& header) { header_ = header; }
-  const log::SessionHeader& header() const { return header_; }
+  void expect_run(const session::SessionHeader& header) { header_ = header; }
+  const session::SessionHeader& header() const { return header_; }
 
   /// Takes what the audio thread left; at least once a second it is handed to the kernel.
   void poll(double now_s);
@@ -51,8 +51,8 @@ class Recorder {
   RecorderOptions options_;
   RunQueue& records_;
   const AudioFigures& figures_;
-  log::SessionHeader header_;
-  std::unique_ptr<log::SessionWriter> writer_;
+  session::SessionHeader header_;
+  std::unique_ptr<session::SessionWriter> writer_;
   std::optional<std::uint32_t> run_;
   std::uint64_t lost_at_begin_ = 0;
   double next_flush_s_ = 0;

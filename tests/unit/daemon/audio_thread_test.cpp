@@ -9,7 +9,7 @@
 
 #include "bench/formula_sounds.hpp"
 #include "recorder.hpp"
-#include "rigsound/log/session_states.hpp"
+#include "rigsound/session/session_states.hpp"
 #include "state_exchange.hpp"
 
 using namespace rigsound;
@@ -65,7 +65,7 @@ struct Setup {
   }
 
   std::vector<float> rendered(const fs::path& session) const {
-    log::SessionStates states(session);
+    session::SessionStates states(session);
     Engine again(options, tools::formula_sounds());
     KeepingSink kept(static_cast<std::size_t>(options.block * options.channels));
     std::vector<float> block = audio::make_block(options);
@@ -111,7 +111,7 @@ TEST_CASE("A recorder that is not polled loses records, says so, and writes noth
   CHECK(s.recorder.wants_new_run(0));
   s.audio.stop();
   s.recorder.finish();
-  CHECK_THROWS(log::SessionStates(s.file));  // not one chunk: it cannot be whole
+  CHECK_THROWS(session::SessionStates(s.file));  // not one chunk: it cannot be whole
 }
 
 TEST_CASE("A folder that cannot be written stops the recording, not the sound") {

@@ -1,4 +1,4 @@
-#include "rigsound/log/session_writer.hpp"
+#include "rigsound/session/session_writer.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -6,11 +6,11 @@
 #include <cerrno>
 #include <cstring>
 
-#include "log/session_format.hpp"
-#include "log/state_words.hpp"
 #include "rigsound/device_error.hpp"
+#include "session/session_format.hpp"
+#include "session/state_words.hpp"
 
-namespace rigsound::log {
+namespace rigsound::session {
 namespace fs = std::filesystem;
 
 namespace {
@@ -77,4 +77,4 @@ void shift_older_sessions(const fs::path& file, int keep) {
   }
 }
 
-}  // namespace rigsound::log
+}  // namespace rigsound::session

@@ -1,17 +1,17 @@
-#include "rigsound/log/session_states.hpp"
+#include "rigsound/session/session_states.hpp"
 
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <sstream>
 
-#include "log/session_format.hpp"
-#include "log/state_words.hpp"
 #include "rigsound/audio/sample_format.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "rigsound/machine/limits.hpp"
+#include "session/session_format.hpp"
+#include "session/state_words.hpp"
 
-namespace rigsound::log {
+namespace rigsound::session {
 namespace {
 
 std::string read_all(const std::filesystem::path& file) {
@@ -86,7 +86,7 @@ void SessionStates::read_chunks(const std::string& bytes, std::size_t at) {
       for (std::size_t i = 0; i < words.size(); ++i)
         if ((mask >> i & 1) != 0) get_u32(payload, words[i]);
       block += step;
-      changes_.push_back({block, log::state_of(words)});
+      changes_.push_back({block, session::state_of(words)});
     }
     blocks_ = blocks;
   }
@@ -100,4 +100,4 @@ const MachineState* SessionStates::state_of(std::uint64_t number) {
   return &changes_[next_ - 1].state;
 }
 
-}  // namespace rigsound::log
+}  // namespace rigsound::session

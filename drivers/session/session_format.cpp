@@ -1,11 +1,11 @@
-#include "log/session_format.hpp"
+#include "session/session_format.hpp"
 
 #include <array>
 #include <sstream>
 
 #include "rigsound/audio/sample_format.hpp"
 
-namespace rigsound::log {
+namespace rigsound::session {
 namespace {
 
 // CRC-32 of ISO 3309, reflected polynomial 0xEDB88320.
@@ -94,4 +94,4 @@ std::string header_text(const SessionHeader& h) {
   return text.str();
 }
 
-}  // namespace rigsound::log
+}  // namespace rigsound::session

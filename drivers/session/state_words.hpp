@@ -6,7 +6,7 @@
 
 #include "rigsound/machine/machine_state.hpp"
 
-namespace rigsound::log {
+namespace rigsound::session {
 
 #define RIGSOUND_ONE(...) +1
 constexpr int kWordsPerBoom = 0 RIGSOUND_BOOM_SIGNALS(RIGSOUND_ONE) RIGSOUND_DRILL_CONTROLS(RIGSOUND_ONE);
@@ -19,4 +19,4 @@ using StateWords = std::array<std::uint32_t, kStateWords>;
 StateWords words_of(const MachineState& state) noexcept;
 MachineState state_of(const StateWords& words) noexcept;
 
-}  // namespace rigsound::log
+}  // namespace rigsound::session

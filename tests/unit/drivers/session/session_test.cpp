@@ -9,13 +9,13 @@
 #include <iterator>
 #include <random>
 
-#include "log/state_words.hpp"
 #include "rigsound/device_error.hpp"
-#include "rigsound/log/session_states.hpp"
 #include "rigsound/machine/input_error.hpp"
+#include "rigsound/session/session_states.hpp"
+#include "session/state_words.hpp"
 
 using namespace rigsound;
-using namespace rigsound::log;
+using namespace rigsound::session;
 namespace fs = std::filesystem;
 
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "rigsound/audio/block_loop.hpp"
-#include "rigsound/log/session_writer.hpp"
+#include "rigsound/session/session_writer.hpp"
 
-namespace rigsound::log {
+namespace rigsound::session {
 
 /// Thread: OFF.
 class SessionStates : public audio::StateSource {
@@ -36,4 +36,4 @@ class SessionStates : public audio::StateSource {
   std::size_t next_ = 0;  // change not yet acting
 };
 
-}  // namespace rigsound::log
+}  // namespace rigsound::session

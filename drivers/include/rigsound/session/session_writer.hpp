@@ -10,7 +10,7 @@
 #include "rigsound/file/file_descriptor.hpp"
 #include "rigsound/machine/machine_state.hpp"
 
-namespace rigsound::log {
+namespace rigsound::session {
 
 constexpr int kSessionFormat = 2;  ///< 2: speed with its slope, one output gain
 
@@ -57,4 +57,4 @@ class SessionWriter {
 /// only `keep` older ones stay. Errors: DeviceError.
 void shift_older_sessions(const std::filesystem::path& file, int keep);
 
-}  // namespace rigsound::log
+}  // namespace rigsound::session

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "rigsound/log/session_writer.hpp"
+#include "rigsound/session/session_writer.hpp"
 
-namespace rigsound::log {
+namespace rigsound::session {
 
 constexpr std::string_view kSessionTitle = "rigsound-session";
 constexpr std::uint32_t kChunkMagic = 0x43534752;  // "RGSC"
@@ -34,4 +34,4 @@ bool get_varint(std::string_view& in, std::uint64_t& value);
 void put_u32(std::string& out, std::uint32_t value);
 bool get_u32(std::string_view& in, std::uint32_t& value);
 
-}  // namespace rigsound::log
+}  // namespace rigsound::session

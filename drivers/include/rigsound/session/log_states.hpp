@@ -6,13 +6,13 @@
 #include "rigsound/machine/signal_board.hpp"
 #include "rigsound/machine/state_resolver.hpp"
 
-namespace rigsound::log {
+namespace rigsound::session {
 
 /// A frame acts from the first block on that begins at its time or later. Ends with the last frame.
 /// Thread: OFF.
 class LogStates : public audio::StateSource {
  public:
-  LogStates(BusLog& log, const SafetyOptions& safety, const EngineOptions& options)
+  LogStates(log::BusLog& log, const SafetyOptions& safety, const EngineOptions& options)
       : log_(log), safety_(safety), block_s_(options.block / options.sample_rate) {}
 
   const MachineState* state_of(std::uint64_t number) override {
@@ -24,7 +24,7 @@ class LogStates : public audio::StateSource {
   }
 
  private:
-  BusLog& log_;
+  log::BusLog& log_;
   SafetyOptions safety_;
   SignalBoard board_;
   StateResolver resolver_;
@@ -32,4 +32,4 @@ class LogStates : public audio::StateSource {
   MachineState state_;
 };
 
-}  // namespace rigsound::log
+}  // namespace rigsound::session

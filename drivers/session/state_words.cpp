@@ -1,8 +1,8 @@
-#include "log/state_words.hpp"
+#include "session/state_words.hpp"
 
 #include <cstring>
 
-namespace rigsound::log {
+namespace rigsound::session {
 namespace {
 
 std::uint32_t word_of(float value) noexcept {
@@ -39,4 +39,4 @@ MachineState state_of(const StateWords& words) noexcept {
   return state;
 }
 
-}  // namespace rigsound::log
+}  // namespace rigsound::session
