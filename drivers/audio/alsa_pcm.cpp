@@ -118,7 +118,7 @@ class AlsaPcm : public Pcm {
   }
 
   // A raw card does what the rig asks, or says what it can. Behind a mixer (`default`) the period is somebody
-  // else's: the nearest is taken, and told.
+  // else's: the nearest is taken, and the description says so.
   void set_buffer(snd_pcm_hw_params_t* hw) {
     snd_pcm_t* h = handle_.get();
     auto period = static_cast<snd_pcm_uframes_t>(options_.block);

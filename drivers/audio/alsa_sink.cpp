@@ -50,7 +50,7 @@ void AlsaSink::write(const float* block, std::uint64_t number) noexcept {
 /// False: there is no stream, or it does not start.
 bool AlsaSink::take_stream() noexcept {
   if (!streams_.swap(pcm_)) return false;
-  frame_bytes_ = bytes_per_sample(pcm_->granted().format) * static_cast<std::size_t>(options_.channels);
+  frame_bytes_ = bytes_per_sample(pcm_->granted().format) * options_.channels;
   if (restart()) return true;
   give_up();
   return false;

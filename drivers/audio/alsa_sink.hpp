@@ -36,7 +36,7 @@ class AlsaSink final : public SoundCard {
   void give_up() noexcept;
   void count(CardEvent event) noexcept;
   std::int64_t now_ms() noexcept;
-  std::size_t samples() const { return static_cast<std::size_t>(options_.block) * options_.channels; }
+  std::size_t samples() const { return options_.block * options_.channels; }
 
   AudioOptions options_;
   OpenPcm open_;

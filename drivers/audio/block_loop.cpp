@@ -3,8 +3,7 @@
 namespace rigsound::audio {
 
 std::vector<float> make_block(const EngineOptions& options) {
-  return std::vector<float>(static_cast<std::size_t>(options.block) *
-                            static_cast<std::size_t>(options.channels));
+  return std::vector<float>(options.block * options.channels);
 }
 
 std::uint64_t run_blocks(Engine& engine, StateSource& source, Sink& sink, std::vector<float>& block) {

@@ -44,12 +44,12 @@ WavSink::WavSink(const std::filesystem::path& file, const Format& format, Tap ta
     : path_(file),
       format_(format),
       tap_(std::move(tap)),
-      bytes_(static_cast<std::size_t>(format.block * format.channels) * bytes_per_sample(format.samples)),
+      bytes_(format.block * format.channels * bytes_per_sample(format.samples)),
       file_(file),
       sound_(open(file_, path_, format), sf_close) {}
 
 void WavSink::write(const float* block, std::uint64_t number) {
-  const auto samples = static_cast<std::size_t>(format_.block * format_.channels);
+  const std::size_t samples = format_.block * format_.channels;
   if ((number + 1) * bytes_.size() > kMostBytes) fail(path_, "a WAV file ends at 4 GB");
   convert(block, samples, number * samples, format_.samples, bytes_.data());
   const auto size = static_cast<sf_count_t>(bytes_.size());

@@ -1,4 +1,4 @@
-// What every bus does alike: tell its listener, limit its warnings, pause between attempts.
+// What every bus does alike: report to its listener, limit its warnings, pause between attempts.
 #pragma once
 
 #include <string>
@@ -46,7 +46,7 @@ class BusBase : public Bus {
   BusListener& listener_;
   RateLimitedLog warnings_;
   Backoff backoff_;
-  std::string problem_;  // told last
+  std::string problem_;  // reported last
 };
 
 }  // namespace rigsound

@@ -51,7 +51,7 @@ void CanBus::step() {
   if (!socket_) return open();
   const int got = socket_->receive(batch_.data(), batch_.size(), kRound_ms);
   dropped_.store(dropped_before_ + socket_->dropped(), std::memory_order_relaxed);
-  if (got > 0) return dispatch(batch_.data(), static_cast<std::size_t>(got));
+  if (got > 0) return dispatch(batch_.data(), got);
   if (got < 0) lose(options_.interface + ": " + std::strerror(-got));
 }
 
@@ -79,7 +79,7 @@ void CanBus::dispatch(const Arrival* first, std::size_t count) {
   const auto is_error = [](const Arrival& a) { return a.frame.error; };
   while (first != end) {
     const Arrival* const error = std::find_if(first, end, is_error);
-    if (error != first) data_frames(first, static_cast<std::size_t>(error - first));
+    if (error != first) data_frames(first, error - first);
     if (error == end) return;
     error_frames_.fetch_add(1, std::memory_order_relaxed);
     controller_error(error->frame);

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <thread>
 
-#include "can/kernel_frame.hpp"
+#include "can/kernel_format.hpp"
 #include "rigsound/device_error.hpp"
 
 namespace rigsound::can {

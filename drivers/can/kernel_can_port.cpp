@@ -14,8 +14,7 @@
 #include <thread>
 
 #include "can/can_port.hpp"
-#include "can/kernel_filter.hpp"
-#include "can/kernel_frame.hpp"
+#include "can/kernel_format.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/file/file_descriptor.hpp"
 
@@ -97,9 +96,8 @@ class KernelCanSocket : public CanSocket {
         ::recvmmsg(fd_.get(), messages_.data(), static_cast<unsigned>(count), MSG_DONTWAIT, nullptr);
     if (got < 0) return errno == EAGAIN || errno == EINTR ? 0 : -errno;
     for (int i = 0; i < got; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      out[i].frame = from_kernel(raw_[k], messages_[k].msg_len);
-      out[i].realtime_s = read_control(messages_[k].msg_hdr);
+      out[i].frame = from_kernel(raw_[i], messages_[i].msg_len);
+      out[i].realtime_s = read_control(messages_[i].msg_hdr);
     }
     return got;
   }

@@ -13,7 +13,7 @@ std::uint64_t extract_intel(const BitField& field, const Frame& frame) {
   for (int taken = 0; taken < field.length;) {
     const int bit = field.start_bit + taken, in_byte = bit % 8;
     const int count = std::min(8 - in_byte, field.length - taken);
-    const std::uint64_t part = (frame.data[static_cast<std::size_t>(bit / 8)] >> in_byte) & low_bits(count);
+    const std::uint64_t part = (frame.data[bit / 8] >> in_byte) & low_bits(count);
     raw |= part << taken;
     taken += count;
   }
@@ -25,8 +25,7 @@ std::uint64_t extract_motorola(const BitField& field, const Frame& frame) {
   int byte = field.start_bit / 8, top = field.start_bit % 8;
   for (int left = field.length; left > 0; ++byte, top = 7) {
     const int count = std::min(top + 1, left);
-    raw = (raw << count) |
-          ((frame.data[static_cast<std::size_t>(byte)] >> (top + 1 - count)) & low_bits(count));
+    raw = (raw << count) | ((frame.data[byte] >> (top + 1 - count)) & low_bits(count));
     left -= count;
   }
   return raw;
@@ -83,7 +82,7 @@ std::optional<std::uint64_t> extract(const BitField& field, const Frame& frame) 
   return field.order == ByteOrder::kIntel ? extract_intel(field, frame) : extract_motorola(field, frame);
 }
 
-std::optional<Decoded> read_signal(const SignalLayout& layout, bool j1939, const Frame& frame) {
+std::optional<Decoded> read_signal(const SignalLayout& layout, RawValues raw_values, const Frame& frame) {
   for (const Selector& selector : layout.selectors) {
     const auto selected = extract(selector.field, frame);
     if (!selected) return Decoded{};
@@ -94,7 +93,7 @@ std::optional<Decoded> read_signal(const SignalLayout& layout, bool j1939, const
   }
   const auto raw = extract(layout.field, frame);
   if (!raw) return Decoded{};
-  if (const auto limit = first_no_value(layout); j1939 && limit && *raw >= *limit) {
+  if (const auto limit = first_no_value(layout); raw_values == RawValues::kJ1939 && limit && *raw >= *limit) {
     const bool not_available = (*raw >> (layout.field.length - 8)) == 0xFF;
     return Decoded{not_available ? Validity::kNotAvailable : Validity::kErrorValue, 0};
   }

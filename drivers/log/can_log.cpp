@@ -70,7 +70,7 @@ std::optional<double> CanLog::next_s() {
   return pending_ ? std::optional<double>(time_s_) : std::nullopt;
 }
 
-bool CanLog::advance(double until_s, SignalBoard& board) {
+bool CanLog::read_until(double until_s, SignalBoard& board) {
   std::vector<Reading> readings;
   for (fetch(); pending_ && time_s_ <= until_s; fetch()) {
     const auto decoder = decoders_.find(pending_->interface);

@@ -193,7 +193,7 @@ std::string candump_line(const CanRecord& record) {
     line += text;
   }
   for (int i = 0; !f.remote && i < std::min<int>(f.size, can::kMaxData); ++i) {
-    std::snprintf(text, sizeof text, "%02X", f.data[static_cast<std::size_t>(i)]);
+    std::snprintf(text, sizeof text, "%02X", f.data[i]);
     line += text;
   }
   if (f.raw_dlc > 8 && !f.fd && f.size == 8) {

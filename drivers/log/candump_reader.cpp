@@ -32,7 +32,7 @@ bool CandumpReader::read_line(std::string& line, bool& whole) {
     in_.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
   }
   const bool has_newline = whole && !too_long;
-  line.assign(buffer.data(), static_cast<std::size_t>(has_newline ? got - 1 : got));
+  line.assign(buffer.data(), has_newline ? got - 1 : got);
   return true;
 }
 

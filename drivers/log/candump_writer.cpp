@@ -1,4 +1,4 @@
-#include "rigsound/log/candump_writer.hpp"
+#include "rigsound/log/candump.hpp"
 
 #include "rigsound/device_error.hpp"
 

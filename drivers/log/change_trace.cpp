@@ -45,7 +45,7 @@ void trace_changes(BusLog& log, const SafetyOptions& safety, const std::vector<S
   while (const auto next_s = log.next_s()) {
     for (now_s += kStep; now_s < *next_s; now_s += kStep) watch.compare(now_s);
     now_s = *next_s;
-    log.advance(now_s, watch.board());
+    log.read_until(now_s, watch.board());
     watch.compare(now_s);
   }
 }

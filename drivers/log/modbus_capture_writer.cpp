@@ -37,15 +37,16 @@ void set_word(Bytes& bytes, std::size_t at, std::uint16_t word) {
 }
 
 /// IPv4 and TCP headers around `frame`, checksums included.
-Bytes packet_of(const Bytes& frame, bool to_server, std::uint32_t sequence, std::uint32_t acknowledged) {
+Bytes packet_of(const Bytes& frame, int from_port, int to_port, std::uint32_t sequence,
+                std::uint32_t acknowledged) {
   Bytes p;
   put(p, 0x45000000U | static_cast<std::uint32_t>(40 + frame.size()), 4);
   put(p, 0x00004000, 4);  // no fragments
   put(p, 0x40060000, 4);  // 64 hops, TCP
   put(p, 0x7f000001, 4);
   put(p, 0x7f000001, 4);
-  put(p, to_server ? kClientPort : kServerPort, 2);
-  put(p, to_server ? kServerPort : kClientPort, 2);
+  put(p, from_port, 2);
+  put(p, to_port, 2);
   put(p, sequence, 4);
   put(p, acknowledged, 4);
   put(p, 0x5018ffff, 4);  // no options, PSH ACK, window
@@ -68,7 +69,7 @@ struct ModbusCaptureWriter::File {
 };
 
 ModbusCaptureWriter::ModbusCaptureWriter(const std::filesystem::path& file)
-    : file_(std::make_unique<File>()) {
+    : file_(std::make_unique<File>()), client_{kClientPort}, server_{kServerPort} {
   file_->name = file.string();
   file_->out.reset(::pcap_dump_open(file_->pcap.get(), file.c_str()));
   if (!file_->out)
@@ -79,20 +80,20 @@ ModbusCaptureWriter::~ModbusCaptureWriter() = default;
 
 void ModbusCaptureWriter::write(std::int64_t time_ns, const modbus::Exchange& exchange) {
   ++transaction_;
-  packet(time_ns, true, modbus::request_pdu(exchange), exchange.unit);
-  packet(time_ns, false, modbus::answer_pdu(exchange), exchange.unit);
+  packet(time_ns, client_, server_, modbus::request_pdu(exchange), exchange.unit);
+  packet(time_ns, server_, client_, modbus::answer_pdu(exchange), exchange.unit);
 }
 
-void ModbusCaptureWriter::packet(std::int64_t time_ns, bool to_server, const Bytes& pdu, int unit) {
+void ModbusCaptureWriter::packet(std::int64_t time_ns, Side& from, const Side& to, const Bytes& pdu,
+                                 int unit) {
   Bytes frame;
   put(frame, transaction_, 2);
   put(frame, 0, 2);
   put(frame, static_cast<std::uint32_t>(pdu.size() + 1), 2);
   put(frame, static_cast<std::uint32_t>(unit), 1);
   frame.insert(frame.end(), pdu.begin(), pdu.end());
-  std::uint32_t& sequence = sequence_[to_server ? 1 : 0];
-  const Bytes bytes = packet_of(frame, to_server, sequence, sequence_[to_server ? 0 : 1]);
-  sequence += static_cast<std::uint32_t>(frame.size());
+  const Bytes bytes = packet_of(frame, from.port, to.port, from.sequence, to.sequence);
+  from.sequence += static_cast<std::uint32_t>(frame.size());
   pcap_pkthdr head{};
   head.ts.tv_sec = time_ns / 1'000'000'000;
   head.ts.tv_usec = time_ns % 1'000'000'000;  // nanoseconds, as the file says

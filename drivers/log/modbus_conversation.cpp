@@ -12,7 +12,7 @@ using Frame = std::vector<std::uint8_t>;
 constexpr std::size_t kMbap = 7, kMaxFrame = 260;
 constexpr std::size_t kMaxWaiting = 256;
 
-std::size_t frame_size(const Frame& bytes) { return 6 + static_cast<std::size_t>(bytes[4] << 8 | bytes[5]); }
+std::size_t frame_size(const Frame& bytes) { return 6 + (bytes[4] << 8 | bytes[5]); }
 
 bool is_modbus(const Frame& bytes) {
   return bytes.size() < kMbap ||
@@ -20,9 +20,9 @@ bool is_modbus(const Frame& bytes) {
 }
 
 /// The values of the answer to a read of `count`: bits or registers after the byte count.
-bool take_values(const Frame& answer, bool bits, int count, std::vector<std::uint16_t>& values) {
-  const std::size_t bytes =
-      bits ? static_cast<std::size_t>(count + 7) / 8 : 2 * static_cast<std::size_t>(count);
+bool take_values(const Frame& answer, modbus::Table table, int count, std::vector<std::uint16_t>& values) {
+  const bool bits = modbus::holds_bits(table);
+  const std::size_t bytes = bits ? (count + 7) / 8 : 2 * count;
   if (answer.size() != kMbap + 2 + bytes || answer[kMbap + 1] != bytes) return false;
   const std::uint8_t* data = answer.data() + kMbap + 2;
   for (int i = 0; i < count; ++i)
@@ -42,7 +42,7 @@ bool FrameStream::add(const TcpPacket& p) {
   if (p.size == 0) return true;
   const auto behind = static_cast<std::int32_t>(expected_.value_or(p.sequence) - p.sequence);
   if (behind < 0) bytes_.clear();  // a piece is missing
-  const std::size_t known = behind > 0 ? static_cast<std::size_t>(behind) : 0;
+  const std::size_t known = behind > 0 ? behind : 0;
   if (known >= p.size) return true;
   bytes_.insert(bytes_.end(), p.data + known, p.data + p.size);
   expected_ = p.sequence + static_cast<std::uint32_t>(p.size);
@@ -87,8 +87,7 @@ Conversation::Answer Conversation::answer(const Frame& frame, std::vector<modbus
   }
   if (request.read) {
     modbus::Exchange read{unit, request.table, false, request.read->address, {}};
-    const bool bits = request.table == modbus::Table::kCoil || request.table == modbus::Table::kDiscrete;
-    if (!take_values(frame, bits, request.read->count, read.values)) return Answer::kUnpaired;
+    if (!take_values(frame, request.table, request.read->count, read.values)) return Answer::kUnpaired;
     out.push_back(read);
   }
   for (const modbus::Exchange& exchange : out)

@@ -11,8 +11,8 @@ constexpr int kAnyUnit = 255;
 
 }  // namespace
 
-ModbusLog::ModbusLog(const std::filesystem::path& file, const std::vector<modbus::ModbusOptions>& links)
-    : capture_(file), links_(links) {
+ModbusLog::ModbusLog(const std::filesystem::path& file, const std::vector<modbus::ModbusOptions>& buses)
+    : capture_(file), buses_(buses) {
   fetch();
   if (!pending_)
     throw InputError(file.string(), "holds no Modbus/TCP exchange, expected requests and their answers");
@@ -31,13 +31,13 @@ std::optional<double> ModbusLog::next_s() {
   return pending_ ? std::optional<double>(time_s_) : std::nullopt;
 }
 
-bool ModbusLog::advance(double until_s, SignalBoard& board) {
+bool ModbusLog::read_until(double until_s, SignalBoard& board) {
   std::vector<Reading> readings;
   for (fetch(); pending_ && time_s_ <= until_s; fetch()) {
     const std::size_t before = readings.size();
-    for (const modbus::ModbusOptions& link : links_)
-      if (link.unit == kAnyUnit || link.unit == pending_->exchange.unit)
-        modbus::readings(pending_->exchange, link.routes, time_s_, readings);
+    for (const modbus::ModbusOptions& bus : buses_)
+      if (bus.unit == kAnyUnit || bus.unit == pending_->exchange.unit)
+        modbus::readings(pending_->exchange, bus.routes, time_s_, readings);
     used_ += readings.size() == before ? 0 : 1;
     pending_.reset();
   }

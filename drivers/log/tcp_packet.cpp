@@ -47,7 +47,7 @@ View strip_link(int link_type, View v) {
 
 bool strip_tcp(View v, TcpPacket& p) {
   if (!v.has(20)) return false;
-  const std::size_t head = static_cast<std::size_t>(v.bytes[12] >> 4) * 4;
+  const std::size_t head = (v.bytes[12] >> 4) * 4;
   if (head < 20 || !v.has(head)) return false;
   p.from.port = static_cast<std::uint16_t>(v.word(0));
   p.to.port = static_cast<std::uint16_t>(v.word(2));
@@ -61,7 +61,7 @@ bool strip_tcp(View v, TcpPacket& p) {
 
 bool strip_ipv4(View v, TcpPacket& p) {
   if (!v.has(20)) return false;
-  const std::size_t head = static_cast<std::size_t>(v.bytes[0] & 15) * 4, total = v.word(2);
+  const std::size_t head = (v.bytes[0] & 15) * 4, total = v.word(2);
   const bool fragment = (v.word(6) & 0x3fff) != 0;
   if (head < 20 || v.bytes[9] != kTcp || fragment || total < head || !v.has(total)) return false;
   std::copy_n(v.bytes + 12, 4, p.from.address.begin());

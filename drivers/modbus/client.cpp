@@ -62,8 +62,8 @@ void Client::poll() {
 
 bool Client::read(const PollRequest& request, Exchange& answer) {
   answer = {options_.unit, request.table, false, request.address, {}};
-  answer.values.resize(static_cast<std::size_t>(request.count));
-  const bool bits = request.table == Table::kCoil || request.table == Table::kDiscrete;
+  answer.values.resize(request.count);
+  const bool bits = holds_bits(request.table);
   std::vector<std::uint8_t> bit_values(bits ? answer.values.size() : 0);
   modbus_t* const c = context_.get();
   int got = -1;

@@ -7,10 +7,6 @@
 namespace rigsound::modbus {
 namespace {
 
-bool is_bit(const RegisterRoute& route) {
-  return route.table == Table::kCoil || route.table == Table::kDiscrete;
-}
-
 bool bytes_swapped(WordOrder order) { return order == WordOrder::kBadc || order == WordOrder::kDcba; }
 bool words_swapped(WordOrder order) { return order == WordOrder::kCdab || order == WordOrder::kDcba; }
 
@@ -25,7 +21,7 @@ std::uint32_t double_word(const RegisterRoute& route, const std::uint16_t* first
 }
 
 double raw_value(const RegisterRoute& route, const std::uint16_t* first) {
-  if (is_bit(route)) return first[0] != 0 ? 1 : 0;
+  if (holds_bits(route.table)) return first[0] != 0 ? 1 : 0;
   switch (route.type) {
     case WordType::kInt16:
       return static_cast<std::int16_t>(word(route, first[0]));
@@ -47,7 +43,8 @@ double raw_value(const RegisterRoute& route, const std::uint16_t* first) {
 }  // namespace
 
 int width(const RegisterRoute& route) {
-  const bool one = is_bit(route) || route.type == WordType::kInt16 || route.type == WordType::kUint16;
+  const bool one =
+      holds_bits(route.table) || route.type == WordType::kInt16 || route.type == WordType::kUint16;
   return one ? 1 : 2;
 }
 
@@ -61,9 +58,8 @@ void readings(const Exchange& exchange, const std::vector<RegisterRoute>& routes
   for (const RegisterRoute& route : routes) {
     if (route.table != exchange.table || route.address < first || route.address + width(route) > end)
       continue;
-    out.push_back({route.target,
-                   decode(route, &exchange.values[static_cast<std::size_t>(route.address - first)]),
-                   Validity::kValid, time_s});
+    out.push_back(
+        {route.target, decode(route, &exchange.values[route.address - first]), Validity::kValid, time_s});
   }
 }
 

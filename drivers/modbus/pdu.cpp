@@ -5,8 +5,6 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-bool is_bit(Table table) { return table == Table::kCoil || table == Table::kDiscrete; }
-
 std::uint8_t function(const Exchange& e) {
   if (e.written) return e.table == Table::kCoil ? 15 : 16;
   switch (e.table) {
@@ -35,12 +33,12 @@ Bytes head(const Exchange& e) {
 }
 
 void put_values(Bytes& out, const Exchange& e) {
-  const std::size_t bytes = is_bit(e.table) ? (e.values.size() + 7) / 8 : 2 * e.values.size();
+  const std::size_t bytes = holds_bits(e.table) ? (e.values.size() + 7) / 8 : 2 * e.values.size();
   out.push_back(static_cast<std::uint8_t>(bytes));
   const std::size_t first = out.size();
-  if (is_bit(e.table)) out.resize(first + bytes);
+  if (holds_bits(e.table)) out.resize(first + bytes);
   for (std::size_t i = 0; i < e.values.size(); ++i) {
-    if (!is_bit(e.table))
+    if (!holds_bits(e.table))
       put_word(out, e.values[i]);
     else if (e.values[i] != 0)
       out[first + i / 8] = static_cast<std::uint8_t>(out[first + i / 8] | 1 << i % 8);

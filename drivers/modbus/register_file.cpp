@@ -27,7 +27,7 @@ bool covers(const Range& range, const RegisterRoute& route) {
 }  // namespace
 
 RegisterFile::RegisterFile(const std::vector<RegisterRoute>& routes) : routes_(routes) {
-  for (int t = 0; t < 4; ++t) span_[static_cast<std::size_t>(t)] = span_of(routes, static_cast<Table>(t));
+  for (int t = 0; t < 4; ++t) span_[t] = span_of(routes, static_cast<Table>(t));
   const auto start = [this](Table t) {
     return static_cast<unsigned>(span_[static_cast<std::size_t>(t)].address);
   };
@@ -82,8 +82,7 @@ std::optional<Refusal> RegisterFile::check_values(const Exchange& change) const 
   for (const RegisterRoute& route : routes_) {
     if (route.table != change.table || !overlaps(route, range)) continue;
     if (!covers(range, route)) return Refusal::kValue;
-    const double value =
-        decode(route, &change.values[static_cast<std::size_t>(route.address - change.address)]);
+    const double value = decode(route, &change.values[route.address - change.address]);
     const SignalInfo& limits = info(route.target.signal);
     if (!(value >= limits.min && value <= limits.max)) return Refusal::kValue;
   }

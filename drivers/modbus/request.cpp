@@ -39,7 +39,7 @@ std::optional<Refusal> parse_coils(Bytes pdu, std::size_t size, Request& r) {
   if (size < 6) return Refusal::kValue;
   r.table = Table::kCoil;
   r.write = Range{word(pdu + 1), word(pdu + 3)};
-  const std::size_t bytes = static_cast<std::size_t>(r.write->count + 7) / 8;
+  const std::size_t bytes = (r.write->count + 7) / 8;
   if (!fits(*r.write, 1968) || pdu[5] != bytes || size != 6 + bytes) return Refusal::kValue;
   for (int i = 0; i < r.write->count; ++i)
     r.values.push_back(static_cast<std::uint16_t>(pdu[6 + i / 8] >> (i % 8) & 1));
@@ -51,7 +51,7 @@ std::optional<Refusal> parse_registers(Bytes pdu, std::size_t size, std::size_t 
   if (size < head) return Refusal::kValue;
   r.table = Table::kHolding;
   r.write = Range{word(pdu + head - 5), word(pdu + head - 3)};
-  const std::size_t bytes = 2 * static_cast<std::size_t>(r.write->count);
+  const std::size_t bytes = 2 * r.write->count;
   if (!fits(*r.write, most) || pdu[head - 1] != bytes || size != head + bytes) return Refusal::kValue;
   for (std::size_t i = 0; i < bytes; i += 2) r.values.push_back(word(pdu + head + i));
   return std::nullopt;

@@ -29,8 +29,7 @@ void RtuServer::step() {
     if (error == ETIMEDOUT) return;
     return error == EMBBADCRC || error == EMBBADDATA ? drop_bad_frame(error) : lose(error);
   }
-  const auto pdu_size = static_cast<std::size_t>(size - kUnitAndChecksum);
-  if (!respond(context_.get(), frame.data(), size, pdu_size, "serial line")) lose(errno);
+  if (!respond(context_.get(), frame.data(), size, size - kUnitAndChecksum, "serial line")) lose(errno);
 }
 
 void RtuServer::open() {

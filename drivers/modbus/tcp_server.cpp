@@ -18,9 +18,7 @@ namespace {
 constexpr int kRound_ms = 200;
 constexpr std::size_t kMbap = 7;  // transaction 2, protocol 2, length 2, unit 1
 
-std::size_t length_field(const std::uint8_t* frame) {
-  return static_cast<std::size_t>(frame[4] << 8 | frame[5]);
-}
+std::size_t length_field(const std::uint8_t* frame) { return frame[4] << 8 | frame[5]; }
 
 }  // namespace
 
@@ -89,7 +87,7 @@ bool TcpServer::serve(Connection& c) {
   const ssize_t got = ::recv(c.fd.get(), c.bytes.data() + c.filled, c.bytes.size() - c.filled, 0);
   if (got < 0) return errno == EAGAIN || errno == EINTR;
   if (got == 0) return false;
-  c.filled += static_cast<std::size_t>(got);
+  c.filled += got;
   return answer_whole_frames(c);
 }
 

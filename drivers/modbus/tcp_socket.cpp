@@ -14,7 +14,7 @@ constexpr std::array<std::uint8_t, 12> kMappedIpv4 = {0, 0, 0, 0, 0, 0, 0, 0, 0,
 bool inside(const std::vector<std::uint8_t>& address, const Network& network) {
   if (address.size() != network.address.size()) return false;
   for (int bit = 0; bit < network.prefix; ++bit) {
-    const auto byte = static_cast<std::size_t>(bit / 8);
+    const auto byte = bit / 8;
     if (((address[byte] ^ network.address[byte]) >> (7 - bit % 8) & 1) != 0) return false;
   }
   return true;

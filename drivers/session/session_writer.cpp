@@ -61,7 +61,7 @@ void SessionWriter::append(const std::string& bytes) {
       [[maybe_unused]] const int cut = ::ftruncate(fd_.get(), static_cast<off_t>(bytes_));
       fail(file_, "stops", error);
     }
-    done += static_cast<std::size_t>(wrote);
+    done += wrote;
   }
   bytes_ += bytes.size();
 }

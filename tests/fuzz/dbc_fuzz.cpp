@@ -14,7 +14,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const config::Dbc dbc = config::parse_dbc({reinterpret_cast<const char*>(data), size}, "fuzz.dbc");
     for (const config::DbcMessage& message : dbc.messages)
       for (const config::DbcSignal& signal : message.signals)
-        if (signal.layout.field.length <= 64) can::read_signal(signal.layout, message.j1939, frame);
+        if (signal.layout.field.length <= 64)
+          can::read_signal(signal.layout, message.j1939 ? can::RawValues::kJ1939 : can::RawValues::kAll,
+                           frame);
   } catch (const InputError&) {
   }
   return 0;

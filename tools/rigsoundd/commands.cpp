@@ -38,7 +38,7 @@ int take_boom(std::string& key, const std::vector<std::string>& booms) {
                 fmt::format(": the rig has no boom of that name, expected {}", fmt::join(booms, ", ")));
 }
 
-Json set(const Json& request, Commanded& daemon) {
+Json set(const Json& request, DaemonControl& daemon) {
   std::string key = request.value("key", "");
   if (!request.contains("value") || !request["value"].is_number())
     throw Refused(key + ": expected a number as value");
@@ -59,19 +59,19 @@ Json set(const Json& request, Commanded& daemon) {
   return {{"ok", true}};
 }
 
-Json reload(Commanded& daemon) {
+Json reload(DaemonControl& daemon) {
   const ReloadResult result = daemon.reload();
   if (!result.error.empty()) throw Refused(result.error);
   return {{"ok", true}, {"not_applied", result.not_applied}};
 }
 
-Json mute(const Json& request, Commanded& daemon) {
+Json mute(const Json& request, DaemonControl& daemon) {
   const bool muted = request.value("on", !daemon.snapshot().muted);
-  daemon.mute(muted);
+  daemon.set_muted(muted);
   return {{"ok", true}, {"muted", muted}};
 }
 
-std::string answer_json(const Json& request, Commanded& daemon) {
+std::string answer_json(const Json& request, DaemonControl& daemon) {
   const std::string command = request.value("command", "");
   if (command == "status") return to_json(daemon.snapshot());
   if (command == "metrics") return Json{{"ok", true}, {"text", to_openmetrics(daemon.snapshot())}}.dump();
@@ -83,7 +83,7 @@ std::string answer_json(const Json& request, Commanded& daemon) {
 
 }  // namespace
 
-std::string answer(const std::string& request, Commanded& daemon) {
+std::string answer(const std::string& request, DaemonControl& daemon) {
   std::string error;
   try {
     return answer_json(Json::parse(request), daemon) + "\n";

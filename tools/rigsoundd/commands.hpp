@@ -16,12 +16,12 @@ struct ReloadResult {
 };
 
 /// What the commands may do.
-class Commanded {
+class DaemonControl {
  public:
-  virtual ~Commanded() = default;
+  virtual ~DaemonControl() = default;
   virtual Snapshot snapshot() const = 0;
   virtual ReloadResult reload() = 0;
-  virtual void mute(bool muted) = 0;
+  virtual void set_muted(bool muted) = 0;
   virtual std::vector<std::string> boom_names() const = 0;
   virtual DrillControls controls(int boom) const = 0;
   virtual void set_controls(int boom, const DrillControls& controls) = 0;
@@ -30,6 +30,6 @@ class Commanded {
 /// Requests: {"command": "status" | "metrics" | "reload" | "mute" | "set"}; mute takes "on" (default: the
 /// other way round), set takes "key" ([BOOM.]CONTROL) and "value". Answers: {"ok": true, ...} or
 /// {"ok": false, "error": TEXT}, with a newline. Never throws. Thread: CT.
-std::string answer(const std::string& request, Commanded& daemon);
+std::string answer(const std::string& request, DaemonControl& daemon);
 
 }  // namespace rigsound::daemon

@@ -178,7 +178,7 @@ ReloadResult Daemon::reload() {
   return result;
 }
 
-void Daemon::mute(bool muted) {
+void Daemon::set_muted(bool muted) {
   exchange_.set_muted(muted, kMuteFade_s);
   spdlog::info(muted ? "muted" : "unmuted");
 }

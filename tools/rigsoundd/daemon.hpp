@@ -27,7 +27,7 @@ struct DaemonOptions {
 };
 
 /// Thread: main, all of it; construct with the signals of `signals` blocked in every thread.
-class Daemon : private Commanded {
+class Daemon : private DaemonControl {
  public:
   /// Errors: InputError for the rig, DeviceError for the control socket. A missing card or bus is none.
   explicit Daemon(const DaemonOptions& options);
@@ -39,7 +39,7 @@ class Daemon : private Commanded {
  private:
   Snapshot snapshot() const override;
   ReloadResult reload() override;
-  void mute(bool muted) override;
+  void set_muted(bool muted) override;
   std::vector<std::string> boom_names() const override;
   DrillControls controls(int boom) const override { return exchange_.controls(boom); }
   void set_controls(int boom, const DrillControls& controls) override {

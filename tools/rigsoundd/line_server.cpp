@@ -44,8 +44,7 @@ void LineServer::accept_all() {
 bool LineServer::serve(Client& c) {
   std::array<char, 4096> bytes{};
   ssize_t got = 0;
-  while ((got = ::recv(c.fd.get(), bytes.data(), bytes.size(), 0)) > 0)
-    c.in.append(bytes.data(), static_cast<std::size_t>(got));
+  while ((got = ::recv(c.fd.get(), bytes.data(), bytes.size(), 0)) > 0) c.in.append(bytes.data(), got);
   const bool ended = got == 0 || (got < 0 && errno != EAGAIN && errno != EINTR);
   for (std::size_t end = 0; !c.closing && (end = c.in.find(protocol_.end_of_request)) != std::string::npos;) {
     c.out += protocol_.answer(c.in.substr(0, end));
@@ -56,7 +55,7 @@ bool LineServer::serve(Client& c) {
     const ssize_t sent = ::send(c.fd.get(), c.out.data(), c.out.size(), MSG_NOSIGNAL);
     if (sent < 0 && errno == EAGAIN) break;
     if (sent < 0) return false;
-    c.out.erase(0, static_cast<std::size_t>(sent));
+    c.out.erase(0, sent);
   }
   if (c.in.size() > kMaxRequest || c.out.size() > kMaxUnsent) return false;
   return !ended && !(c.closing && c.out.empty());

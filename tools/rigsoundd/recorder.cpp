@@ -58,7 +58,7 @@ void Recorder::drain() {
   }
 }
 
-// The blocks counted before the queue is emptied are all told by what was in it.
+// The blocks counted before the queue is emptied are all covered by what was in it.
 void Recorder::poll(double now_s) {
   const std::uint32_t run = figures_.run.load(std::memory_order_acquire);
   const std::uint64_t blocks = figures_.run_blocks.load(std::memory_order_acquire);

@@ -23,7 +23,7 @@ class Recorder {
  public:
   Recorder(RecorderOptions options, RunQueue& records, const AudioFigures& figures);
 
-  /// What the next run is rendered with; must be told before it begins.
+  /// What the next run is rendered with; must be called before it begins.
   void expect_run(const session::SessionHeader& header) { header_ = header; }
   const session::SessionHeader& header() const { return header_; }
 

@@ -21,7 +21,7 @@ constexpr CounterText kCardCounters[audio::kCardEventCount] = {
     {"card_losses", "Times the sound card was given up."}};
 constexpr CounterText kBusCounters[] = {
     {"frames_seen", "Frames or requests that arrived."},
-    {"frames_used", "Frames or requests that told something of the rig."},
+    {"frames_used", "Frames or requests that carried a signal of the rig."},
     {"frames_bad", "Error frames of the CAN controller, or bytes that are no Modbus."},
     {"frames_dropped", "Frames the kernel dropped because they were not fetched in time."},
     {"requests_refused", "Modbus requests answered with an exception."},
@@ -99,7 +99,7 @@ void add_signals(Page& page, const Snapshot& s) {
   for (const SignalSnapshot& signal : s.signals)
     if (signal.age_s >= 0)
       page.sample("signal_age_seconds", "signal=\"" + escaped(signal.name) + "\"", signal.age_s);
-  page.family("signal_value", "gauge", "What the engine is told, in the signal's unit.");
+  page.family("signal_value", "gauge", "What the engine is given, in the signal's unit.");
   for (const SignalSnapshot& signal : s.signals)
     page.sample("signal_value", "signal=\"" + escaped(signal.name) + "\"", signal.value);
   page.family("signal_state", "stateset", "Whether the signal may be believed.");

@@ -5,7 +5,7 @@
 
 namespace rigsound {
 
-/// what() is the one line a user sees, naming the device and the mend. Programs end with exit code 3.
+/// what() is the one line a user sees, naming the device and the fix. Programs end with exit code 3.
 /// Thread: OFF, CT; never thrown on the audio thread.
 class DeviceError : public std::runtime_error {
  public:

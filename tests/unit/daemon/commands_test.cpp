@@ -11,7 +11,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-struct TwoBooms : Commanded {
+struct TwoBooms : DaemonControl {
   Snapshot snapshot() const override {
     Snapshot s;
     s.muted = muted;
@@ -21,7 +21,7 @@ struct TwoBooms : Commanded {
     return s;
   }
   ReloadResult reload() override { return reloaded; }
-  void mute(bool on) override { muted = on; }
+  void set_muted(bool on) override { muted = on; }
   std::vector<std::string> boom_names() const override { return {"left", "right"}; }
   DrillControls controls(int boom) const override { return controls_[boom]; }
   void set_controls(int boom, const DrillControls& c) override { controls_[boom] = c; }

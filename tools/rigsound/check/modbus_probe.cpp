@@ -56,10 +56,6 @@ class Answers : public BusListener, public modbus::ModbusTap {
   std::size_t told_ = 0;
 };
 
-bool is_bit(const RegisterRoute& route) {
-  return route.table == modbus::Table::kCoil || route.table == modbus::Table::kDiscrete;
-}
-
 void print_orders(RegisterRoute route, const std::uint16_t* words) {
   const WordOrder chosen = route.order;
   const std::string_view unit = info(route.target.signal).unit;
@@ -76,7 +72,7 @@ void print_value(const config::Rig& rig, const RegisterRoute& route, const std::
   fmt::print("  {:<20} {}", config::signal_label(rig, route.target),
              modbus::describe(route.table, route.address));
   if (words == nullptr) return fmt::print("  not there\n");
-  if (is_bit(route)) return fmt::print("  {}\n", words[0] != 0 ? "on" : "off");
+  if (holds_bits(route.table)) return fmt::print("  {}\n", words[0] != 0 ? "on" : "off");
   fmt::print("  {:04X}{}\n", words[0], width(route) == 2 ? fmt::format(" {:04X}", words[1]) : "");
   print_orders(route, words);
 }

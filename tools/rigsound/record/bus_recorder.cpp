@@ -7,7 +7,7 @@
 
 #include "record/recorded_bus.hpp"
 #include "rigsound/can/can_bus.hpp"
-#include "rigsound/log/candump_writer.hpp"
+#include "rigsound/log/candump.hpp"
 #include "rigsound/log/modbus_capture_writer.hpp"
 #include "rigsound/modbus/modbus_bus.hpp"
 

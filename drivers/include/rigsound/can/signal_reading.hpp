@@ -22,10 +22,13 @@ struct Decoded {
   double value = 0;
 };
 
+/// kJ1939: raw values that J1939-71 sets apart for errors (top byte 0xFE) and for "not available" (0xFF) are
+/// none.
+enum class RawValues : std::uint8_t { kAll, kJ1939 };
+
 /// Nothing when a selector says that the signal is not in this frame. A signal that does not fit into the
-/// frame is kNotAvailable. `j1939`: raw values that J1939-71 sets apart for errors (top byte 0xFE) and for
-/// "not available" (0xFF) are no values. Thread: any.
-std::optional<Decoded> read_signal(const SignalLayout& layout, bool j1939, const Frame& frame);
+/// frame is kNotAvailable. Thread: any.
+std::optional<Decoded> read_signal(const SignalLayout& layout, RawValues raw_values, const Frame& frame);
 
 /// True when the frame carries the message. Remote and error frames carry none.
 bool matches(const MessageMatch& match, const Frame& frame);

@@ -27,7 +27,7 @@ class BusLog {
   virtual std::optional<double> next_s() = 0;
 
   /// Puts every entry up to `until_s` on the board; returns whether one had a reading. Errors: InputError.
-  virtual bool advance(double until_s, SignalBoard& board) = 0;
+  virtual bool read_until(double until_s, SignalBoard& board) = 0;
 
   /// What a user should know of a log read to its end.
   virtual std::vector<LogNote> notes() const = 0;

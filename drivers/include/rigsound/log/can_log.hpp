@@ -25,7 +25,7 @@ class CanLog : public BusLog {
 
   /// Errors: InputError with the line for a log that was cut off or jumps ahead by more than an hour.
   std::optional<double> next_s() override;
-  bool advance(double until_s, SignalBoard& board) override;
+  bool read_until(double until_s, SignalBoard& board) override;
   std::vector<LogNote> notes() const override;
 
  private:

@@ -67,4 +67,18 @@ class CandumpReader {
   std::map<std::uint32_t, std::uint8_t> last_size_;  ///< by identifier
 };
 
+/// Writes what a CAN bus carries, as candump -l does. Lines are handed to the kernel on flush(). Thread: one
+/// at a time. Errors: DeviceError.
+class CandumpWriter {
+ public:
+  explicit CandumpWriter(const std::filesystem::path& file);
+
+  void write(const CanRecord& record);
+  void flush();
+
+ private:
+  std::filesystem::path file_;
+  std::ofstream out_;
+};
+
 }  // namespace rigsound::log

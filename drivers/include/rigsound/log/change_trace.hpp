@@ -1,4 +1,4 @@
-// What the engine would be told, change by change.
+// The changes of the state that a recorded bus leads to.
 #pragma once
 
 #include <array>

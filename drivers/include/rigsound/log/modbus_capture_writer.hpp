@@ -1,4 +1,4 @@
-// Writes the exchanges of a Modbus link as a capture that tcpdump, Wireshark and we can read.
+// Writes the exchanges of a Modbus bus as a capture that tcpdump, Wireshark and we can read.
 #pragma once
 
 #include <cstdint>
@@ -22,12 +22,18 @@ class ModbusCaptureWriter {
   void flush();
 
  private:
-  void packet(std::int64_t time_ns, bool to_server, const std::vector<std::uint8_t>& pdu, int unit);
+  /// One direction of the connection.
+  struct Side {
+    int port = 0;
+    std::uint32_t sequence = 1;
+  };
+  void packet(std::int64_t time_ns, Side& from, const Side& to, const std::vector<std::uint8_t>& pdu,
+              int unit);
 
   struct File;
   std::unique_ptr<File> file_;
   std::uint16_t transaction_ = 0;
-  std::uint32_t sequence_[2] = {1, 1};  // to the client, to the server
+  Side client_, server_;
 };
 
 }  // namespace rigsound::log

@@ -1,4 +1,4 @@
-// What one Modbus link of a rig is for.
+// What one Modbus bus of a rig is for.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +13,9 @@ namespace rigsound::modbus {
 enum class Role : std::uint8_t { kServer, kClient };
 enum class Transport : std::uint8_t { kTcp, kRtu };
 enum class Table : std::uint8_t { kHolding, kInput, kCoil, kDiscrete };
+/// Tables of single bits; the others hold 16 bit registers.
+inline bool holds_bits(Table table) { return table == Table::kCoil || table == Table::kDiscrete; }
+
 enum class WordType : std::uint8_t { kInt16, kUint16, kInt32, kUint32, kFloat32 };
 enum class WordOrder : std::uint8_t { kAbcd, kCdab, kBadc, kDcba };
 

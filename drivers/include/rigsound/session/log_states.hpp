@@ -1,4 +1,4 @@
-// What a recorded bus told the engine, block by block.
+// A recorded bus as a source of states, block by block.
 #pragma once
 
 #include "rigsound/audio/block_loop.hpp"
@@ -18,8 +18,8 @@ class LogStates : public audio::StateSource {
   const MachineState* state_of(std::uint64_t number) override {
     if (!log_.next_s()) return nullptr;
     const double now_s = static_cast<double>(number) * block_s_;
-    const bool told = log_.advance(now_s, board_);
-    if (told || resolver_.due(now_s)) state_ = resolver_.resolve(board_, safety_, now_s);
+    const bool changed = log_.read_until(now_s, board_);
+    if (changed || resolver_.due(now_s)) state_ = resolver_.resolve(board_, safety_, now_s);
     return &state_;
   }
 

@@ -33,7 +33,7 @@ class SessionWriter {
   /// Starts a new file. Errors: DeviceError.
   SessionWriter(std::filesystem::path file, const SessionHeader& header);
 
-  /// `state` acts from `block` on. Blocks must rise; block 0 must be told.
+  /// `state` acts from `block` on. Blocks must rise; the first is block 0.
   void add(std::uint64_t block, const MachineState& state);
 
   /// Hands everything to the kernel, which keeps it when this process is killed. `blocks`: rendered so

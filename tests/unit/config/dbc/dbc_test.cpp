@@ -242,6 +242,8 @@ TEST_CASE("real files: every message and signal their lines declare") {
   can::Frame frame;
   frame.size = 8;
   frame.data = {0xFE, 0x0C, 0x01, 0xF4};
-  CHECK(can::read_signal(signal(body, "MOTORS_DATA", "SPEED_L").layout, false, frame)->value == -500);
-  CHECK(can::read_signal(signal(body, "MOTORS_DATA", "SPEED_R").layout, false, frame)->value == 500);
+  CHECK(can::read_signal(signal(body, "MOTORS_DATA", "SPEED_L").layout, can::RawValues::kAll, frame)->value ==
+        -500);
+  CHECK(can::read_signal(signal(body, "MOTORS_DATA", "SPEED_R").layout, can::RawValues::kAll, frame)->value ==
+        500);
 }

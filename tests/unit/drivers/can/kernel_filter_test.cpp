@@ -1,8 +1,8 @@
-#include "can/kernel_filter.hpp"
+#include "can/kernel_format.hpp"
 
 #include <doctest/doctest.h>
 
-#include "can/kernel_frame.hpp"
+#include "can/kernel_format.hpp"
 
 using namespace rigsound::can;
 

@@ -73,40 +73,43 @@ TEST_CASE("a Motorola field begins at its most significant bit") {
 
 TEST_CASE("signs, floats, scale and offset") {
   const Frame f = frame(1, {0xFE, 0xFF, 0x00, 0x80});
-  CHECK(read_signal(layout(0, 16, ByteOrder::kIntel, ValueType::kSigned), false, f)->value == -2);
-  CHECK(read_signal(layout(4, 12, ByteOrder::kIntel, ValueType::kSigned), false, f)->value == -1);
-  CHECK(read_signal(layout(16, 16, ByteOrder::kIntel, ValueType::kSigned, 0.5, 10), false, f)->value ==
-        -16374);
-  CHECK(read_signal(layout(8, 8, ByteOrder::kIntel, ValueType::kUnsigned, 0.4, -40), false, f)->value ==
-        doctest::Approx(62));
+  CHECK(read_signal(layout(0, 16, ByteOrder::kIntel, ValueType::kSigned), RawValues::kAll, f)->value == -2);
+  CHECK(read_signal(layout(4, 12, ByteOrder::kIntel, ValueType::kSigned), RawValues::kAll, f)->value == -1);
+  CHECK(read_signal(layout(16, 16, ByteOrder::kIntel, ValueType::kSigned, 0.5, 10), RawValues::kAll, f)
+            ->value == -16374);
+  CHECK(read_signal(layout(8, 8, ByteOrder::kIntel, ValueType::kUnsigned, 0.4, -40), RawValues::kAll, f)
+            ->value == doctest::Approx(62));
   Frame floats;
   floats.size = 12;
   const float small = 1.5F;
   const double large = -2.25e10;
   std::memcpy(floats.data.data(), &small, 4);
   std::memcpy(floats.data.data() + 4, &large, 8);
-  CHECK(read_signal(layout(0, 32, ByteOrder::kIntel, ValueType::kFloat32), false, floats)->value == 1.5);
-  CHECK(read_signal(layout(32, 64, ByteOrder::kIntel, ValueType::kFloat64), false, floats)->value ==
+  CHECK(read_signal(layout(0, 32, ByteOrder::kIntel, ValueType::kFloat32), RawValues::kAll, floats)->value ==
+        1.5);
+  CHECK(read_signal(layout(32, 64, ByteOrder::kIntel, ValueType::kFloat64), RawValues::kAll, floats)->value ==
         -2.25e10);
 }
 
 TEST_CASE("check vectors of J1939 engine speed") {
-  CHECK(read_signal(kEngineSpeed, true, frame(0x0CF00400, {0xF0, 0x7D, 0x85, 0x9B, 0x0F, 0xFF, 0xFF, 0x85}))
+  CHECK(read_signal(kEngineSpeed, RawValues::kJ1939,
+                    frame(0x0CF00400, {0xF0, 0x7D, 0x85, 0x9B, 0x0F, 0xFF, 0xFF, 0x85}))
             ->value == 499.375);
-  CHECK(read_signal(kEngineSpeed, true, frame(0x0CF00400, {0, 0, 0, 0x20, 0x4E, 0, 0, 0}))->value == 2500);
+  CHECK(read_signal(kEngineSpeed, RawValues::kJ1939, frame(0x0CF00400, {0, 0, 0, 0x20, 0x4E, 0, 0, 0}))
+            ->value == 2500);
 }
 
 TEST_CASE("raw values that J1939 sets apart are no values") {
-  const auto speed = [](int low, int high, bool j1939) {
-    return read_signal(kEngineSpeed, j1939, frame(0x0CF00400, {0, 0, 0, low, high, 0, 0, 0}));
+  const auto speed = [](int low, int high, RawValues raw_values) {
+    return read_signal(kEngineSpeed, raw_values, frame(0x0CF00400, {0, 0, 0, low, high, 0, 0, 0}));
   };
-  CHECK(speed(0xFE, 0xFA, true)->validity == Validity::kValid);
-  CHECK(speed(0xFF, 0xFA, true)->validity == Validity::kErrorValue);
-  CHECK(speed(0x00, 0xFE, true)->validity == Validity::kErrorValue);
-  CHECK(speed(0xFF, 0xFF, true)->validity == Validity::kNotAvailable);
-  CHECK(speed(0xFF, 0xFF, false)->value == 65535 * 0.125);
+  CHECK(speed(0xFE, 0xFA, RawValues::kJ1939)->validity == Validity::kValid);
+  CHECK(speed(0xFF, 0xFA, RawValues::kJ1939)->validity == Validity::kErrorValue);
+  CHECK(speed(0x00, 0xFE, RawValues::kJ1939)->validity == Validity::kErrorValue);
+  CHECK(speed(0xFF, 0xFF, RawValues::kJ1939)->validity == Validity::kNotAvailable);
+  CHECK(speed(0xFF, 0xFF, RawValues::kAll)->value == 65535 * 0.125);
   const auto load = [](int raw) {
-    return read_signal(layout(0, 8), true, frame(0x0CF00400, {raw}))->validity;
+    return read_signal(layout(0, 8), RawValues::kJ1939, frame(0x0CF00400, {raw}))->validity;
   };
   CHECK(load(0xFA) == Validity::kValid);
   CHECK(load(0xFB) == Validity::kErrorValue);
@@ -148,13 +151,13 @@ TEST_CASE("remote and error frames, and the other identifier length, carry no me
 TEST_CASE("a multiplexed signal is there only under its selector") {
   SignalLayout signal = layout(8, 8);
   signal.selectors.push_back({{0, 4, ByteOrder::kIntel}, {{1, 1}, {5, 7}}});
-  CHECK(read_signal(signal, false, frame(1, {0xF1, 42}))->value == 42);
-  CHECK(read_signal(signal, false, frame(1, {0x06, 43}))->value == 43);
-  CHECK_FALSE(read_signal(signal, false, frame(1, {0x02, 44})));
+  CHECK(read_signal(signal, RawValues::kAll, frame(1, {0xF1, 42}))->value == 42);
+  CHECK(read_signal(signal, RawValues::kAll, frame(1, {0x06, 43}))->value == 43);
+  CHECK_FALSE(read_signal(signal, RawValues::kAll, frame(1, {0x02, 44})));
   signal.selectors.push_back({{4, 4, ByteOrder::kIntel}, {{3, 3}}});
-  CHECK(read_signal(signal, false, frame(1, {0x31, 45}))->value == 45);
-  CHECK_FALSE(read_signal(signal, false, frame(1, {0x41, 46})));
-  CHECK(read_signal(signal, false, frame(1, {0x31}))->validity == Validity::kNotAvailable);
+  CHECK(read_signal(signal, RawValues::kAll, frame(1, {0x31, 45}))->value == 45);
+  CHECK_FALSE(read_signal(signal, RawValues::kAll, frame(1, {0x41, 46})));
+  CHECK(read_signal(signal, RawValues::kAll, frame(1, {0x31}))->validity == Validity::kNotAvailable);
 }
 
 TEST_CASE("a short frame invalidates the signals that do not fit and updates the others") {

@@ -87,11 +87,11 @@ TEST_CASE("A capture plays onto the board at its own times") {
                  modbus::route(Signal::kPercussion, Table::kCoil, 1)};
   ModbusLog log(file.path, {link});
   SignalBoard board;
-  log.advance(0, board);
+  log.read_until(0, board);
   CHECK(board.entry({Signal::kFeedPressureBar}).value == doctest::Approx(85.5));
   CHECK(board.entry({Signal::kPercussion}).validity == Validity::kNeverSeen);
   CHECK(*log.next_s() == doctest::Approx(1.5));
-  log.advance(5, board);
+  log.read_until(5, board);
   CHECK(board.entry({Signal::kPercussion}).value == 1);
   CHECK(board.entry({Signal::kPercussion}).seen_s == doctest::Approx(4.5));
 }
