@@ -1,0 +1,96 @@
+#include "string/longitudinal_string.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace rigsound::string {
+namespace {
+
+constexpr int kSlack = 16 * kChunk;  // samples a line takes before it is moved back to its start
+constexpr int kBehind = 2;           // samples the reflection at the shank looks back beyond its delay
+
+int longest_delay(const std::vector<StringTuning>& tunings) noexcept {
+  int longest = 0;
+  for (const StringTuning& tuning : tunings)
+    for (const int delay : tuning.delay) longest = std::max(longest, delay);
+  return longest;
+}
+
+}  // namespace
+
+LongitudinalString::LongitudinalString(const StringModel& model, double sample_rate, LaneWidth width)
+    : kernel_(string_kernel(width)) {
+  for (int rods = 1; rods <= kMaxRods; ++rods) tunings_.push_back(tune_string(model, rods, sample_rate));
+  stride_ = longest_delay(tunings_) + kBehind + kSlack;
+  memory_.assign(static_cast<std::size_t>(stride_) * kMaxLines, 0.0);
+  for (int j = 0; j < kMaxLines; ++j) state_.line[j] = memory_.data() + j * stride_;
+  restring(model.rods);
+}
+
+void LongitudinalString::restring(int rods) noexcept {
+  const StringTuning& tuning = tunings_[rods - 1];
+  state_.joints = tuning.joints;
+  state_.cut = -1;
+  std::copy(std::begin(tuning.delay), std::end(tuning.delay), state_.delay);
+  state_.at = stride_ - kSlack;
+  state_.sleeve_steps = tuning.sleeve_steps;
+  state_.rho = tuning.reflection();
+  state_.loss_middle = tuning.loss_middle, state_.loss_side = tuning.loss_side;
+  const auto [b, c] = thiran_section(tuning.head_delay);
+  state_.e = std::sqrt(c);
+  state_.h = std::sqrt(b);
+  state_.g0 = 2 / (1 + b + c);
+  state_.g1 = state_.g0 * c;
+  state_.g2 = state_.g0 * state_.h;
+  state_.c0 = ((1 + c) - b) / ((1 + c) + b);
+  block_ = tuning.block;
+  sleeve_impedance_ = tuning.sleeve_impedance;
+  silence();
+}
+
+void LongitudinalString::part() noexcept {
+  if (state_.joints > 0) state_.cut = state_.joints / 2;
+}
+
+void LongitudinalString::make_room() noexcept {
+  if (state_.at + kChunk <= stride_) return;
+  const int kept = stride_ - kSlack;
+  for (int j = 0; j <= state_.joints; ++j)
+    std::memmove(state_.line[j], state_.line[j] + state_.at - kept,
+                 static_cast<std::size_t>(kept) * sizeof(double));
+  state_.at = kept;
+}
+
+void LongitudinalString::process(const LinesDrive& drive) noexcept {
+  make_room();
+  for (int from = 0; from < kChunk; from += block_) {
+    kernel_.lines(state_, drive, from, block_);
+    bit_.process(state_.down, state_.line[state_.joints] + state_.at + from, block_);
+  }
+  state_.at += kChunk;
+}
+
+double LongitudinalString::energy() const noexcept {
+  const LinesState& s = state_;
+  double sum = bit_.energy() + (s.x1 * s.x1 + s.e * s.e * s.x2 * s.x2);
+  for (int j = 0; j <= s.joints; ++j)
+    for (int d = 1; d <= s.delay[j]; ++d) sum += s.line[j][s.at - d] * s.line[j][s.at - d];
+  // A filter of three taps that add up to 1 keeps what its last two inputs may still give.
+  const double side = s.loss_side / (s.loss_middle + 2 * s.loss_side);
+  const double* const gone = s.line[0] + s.at - s.delay[0];
+  sum += (1 - side) * gone[-1] * gone[-1] + side * gone[-2] * gone[-2];
+  for (int j = 0; j < s.joints; ++j)
+    for (int i = 0; i < s.sleeve_steps * kSleeveStep; ++i)
+      sum += s.sleeve[j][i] * s.sleeve[j][i] / sleeve_impedance_;
+  return sum;
+}
+
+void LongitudinalString::silence() noexcept {
+  std::fill(memory_.begin(), memory_.end(), 0.0);
+  std::memset(state_.sleeve, 0, sizeof state_.sleeve);
+  state_.x1 = state_.x2 = 0;
+  bit_.silence();
+}
+
+}  // namespace rigsound::string

@@ -1,0 +1,49 @@
+// Waves along the string: shank, rods and sleeves down to the bit, and the bit on the rock.
+#pragma once
+
+#include <vector>
+
+#include "rigsound/string_model.hpp"
+#include "string/bit_contact.hpp"
+#include "string/string_kernel.hpp"
+
+namespace rigsound::string {
+
+class LongitudinalString {
+ public:
+  /// Silent, with the model's rods. Thread: OFF.
+  LongitudinalString(const StringModel& model, double sample_rate, LaneWidth width);
+
+  LongitudinalString(LongitudinalString&&) = default;  // the lines stay where they are
+  LongitudinalString(const LongitudinalString&) = delete;
+
+  /// Silence, and `rods` 1...kMaxRods from now on, in one piece. Thread: RT.
+  void restring(int rods) noexcept;
+
+  /// The string parts in the middle; both parts have free ends there until restring(). Thread: RT.
+  void part() noexcept;
+
+  /// kChunk samples. Thread: RT.
+  void process(const LinesDrive& drive) noexcept;
+
+  BitContact& bit() noexcept { return bit_; }
+  bool parted() const noexcept { return state_.cut >= 0; }
+
+  /// In all waves and in the bit's spring; never grows without input.
+  double energy() const noexcept;
+  void silence() noexcept;
+
+ private:
+  void make_room() noexcept;
+
+  StringKernel kernel_;
+  std::vector<StringTuning> tunings_;  ///< of 1...kMaxRods rods
+  std::vector<double> memory_;         ///< of all lines, stride_ each
+  int stride_;
+  int block_ = kSleeveStep;
+  double sleeve_impedance_ = 1;
+  LinesState state_{};
+  BitContact bit_;
+};
+
+}  // namespace rigsound::string

@@ -1,0 +1,60 @@
+// The drill string of one boom: blows in, the sound of its rods out.
+#pragma once
+
+#include <cstdint>
+
+#include "rigsound/impact.hpp"
+#include "rigsound/string_model.hpp"
+#include "string/bending_modes.hpp"
+#include "string/longitudinal_string.hpp"
+#include "string/string_input.hpp"
+#include "tool/strikes.hpp"
+
+namespace rigsound::string {
+
+class StringLayer {
+ public:
+  /// Throws std::invalid_argument, naming the key, when the model makes no sense. Thread: OFF.
+  StringLayer(const StringModel& model, double sample_rate, std::uint64_t seed, int boom,
+              LaneWidth width = tool::widest_lanes());
+
+  /// The next kChunk samples, struck by `impacts`. Thread: RT.
+  void process(const StringInput& input, const Impacts& impacts, double* out) noexcept;
+
+ private:
+  enum class Fade { kNone, kOut, kIn };
+
+  void change_string(const StringInput& input) noexcept;
+  void restring(const StringInput& input) noexcept;
+  void break_rod() noexcept;
+  void follow(const StringInput& input) noexcept;
+  void ring(bool struck, double* out) noexcept;
+  void apply_highpass(double* out) noexcept;
+  void apply_fade(double* out) noexcept;
+  void rest_if_silent(bool struck, const double* out) noexcept;
+
+  StringModel model_;
+  double impedance_;                                                 ///< of the rod, times samples a second
+  double width_samples_;                                             ///< of a strike
+  double contact_step_, loading_share_, exposed_share_, fade_step_;  ///< a chunk, a chunk, a chunk, a sample
+  tool::Strikes strikes_;
+  LongitudinalString string_;
+  BendingModes bending_;
+
+  int rods_;
+  double exposed_m_, contact_ = 0;
+  double loading_samples_;
+  bool broken_ = false;
+  Fade fade_ = Fade::kNone;
+  double gain_ = 1;  ///< of the fade, before smoothstep
+
+  double x_[kChunk];          ///< strikes of the chunk
+  double snap_[kChunk] = {};  ///< and the pulse of a breaking rod
+  bool snaps_ = false;
+  double snap_pulse_[kChunk] = {};
+  double hp_b_, hp_p_, hp_x_ = 0, hp_y_ = 0;
+  bool asleep_ = true;
+  int quiet_ = 0;  ///< chunks
+};
+
+}  // namespace rigsound::string
