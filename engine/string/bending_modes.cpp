@@ -30,7 +30,8 @@ BendingModes::BendingModes(const StringModel& model, double sample_rate, LaneWid
   const TableCut whole = table_.cut(model.rod_length_m);
   int modes = 0;
   while (modes < kMaxModes && whole.at(modes) < fade_to_) ++modes;
-  gain_ = 1 / std::sqrt(modes);  // a blow puts the same energy into every rod
+  // A blow puts the same energy into every rod.
+  gain_ = model.level * model.bending_mix / std::sqrt(modes);
   std::fill(state_.s, state_.s + kMaxModes, 1.0);
   set(model.rod_length_m, 0);
   retune();

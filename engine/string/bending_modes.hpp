@@ -18,7 +18,7 @@ class BendingModes {
   /// Silence, and at once what set() asked for. Thread: RT.
   void retune() noexcept;
 
-  /// kChunk samples. x: strikes, zero but where `struck`. Thread: RT.
+  /// kChunk samples, as loud as the model mixes them. x: strikes, zero but where `struck`. Thread: RT.
   void process(const double* x, bool struck, double* out) noexcept;
 
   /// Never grows without input, whatever is set.

@@ -18,29 +18,42 @@ void BitContact::set_gap(double gap) noexcept {
   if (gap >= 0) off_ = std::min(off_, gap);
 }
 
-inline double BitContact::reflect(double F_i) noexcept {
-  const double two = F_i + F_i;
-  if (two > s_) {
-    const double more = (two - s_) * share_;
-    const double F = s_ + more;
-    s_ = F + more;
-    return F - F_i;
+/// Everything in locals: a stored sample might change any member.
+void BitContact::press(const double* down, double* up, int frames) noexcept {
+  const double share = share_;
+  double s = s_;
+#pragma GCC unroll 4
+  for (int n = 0; n < frames; ++n) {
+    const double F_i = down[n], two = F_i + F_i;
+    const double more = two > s ? (two - s) * share : 0;
+    const double F = two > s ? s + more : two > 0 ? two : 0;
+    s = F + more;
+    up[n] = F - F_i;
   }
-  s_ = two > 0 ? two : 0;
-  return s_ - F_i;
+  s_ = s;
 }
 
 /// The bit moves by 2 F_i - F. Pulled off the rock it stands off, as far as the feed lets it.
-inline double BitContact::reflect_across_gap(double F_i) noexcept {
-  const double two = F_i + F_i;
-  if (off_ > 0) {
-    s_ = 0;
-    off_ += (gap_ - off_) * return_ - two;
-    off_ = std::min(std::max(off_, 0.0), gap_);
-    return -F_i;
+void BitContact::rattle(const double* down, double* up, int frames) noexcept {
+  const double share = share_, gap = gap_, back = gap_ * return_;
+  double s = s_, off = off_;
+#pragma GCC unroll 4
+  for (int n = 0; n < frames; ++n) {
+    const double F_i = down[n], two = F_i + F_i;
+    if (off > 0) {
+      off = std::min(std::max(off + (back - two), 0.0), gap);
+      up[n] = -F_i;
+    } else if (two > s) {
+      const double more = (two - s) * share, F = s + more;
+      s = F + more;
+      up[n] = F - F_i;
+    } else {
+      s = two > 0 ? two : 0;
+      if (two < 0) off = std::min(-two, gap);
+      up[n] = s - F_i;
+    }
   }
-  if (two < 0) off_ = std::min(-two, gap_);
-  return reflect(F_i);
+  s_ = s, off_ = off;
 }
 
 void BitContact::process(const double* down, double* up, int frames) noexcept {
@@ -48,9 +61,9 @@ void BitContact::process(const double* down, double* up, int frames) noexcept {
     for (int n = 0; n < frames; ++n) up[n] = -down[n];
     s_ = 0;
   } else if (gap_ == 0 && off_ == 0) {
-    for (int n = 0; n < frames; ++n) up[n] = reflect(down[n]);
+    press(down, up, frames);
   } else {
-    for (int n = 0; n < frames; ++n) up[n] = reflect_across_gap(down[n]);
+    rattle(down, up, frames);
   }
 }
 

@@ -16,7 +16,7 @@ class BitContact {
   /// reach. The bit crosses what it stands off before the rock feels it. Thread: RT.
   void set_gap(double gap) noexcept;
 
-  /// Share of the way back into the gap that a bit without a wave moves each sample. Thread: OFF.
+  /// Share of the gap by which a bit that no wave moves goes back into it each sample. Thread: OFF.
   void set_return(double share) noexcept { return_ = share; }
 
   /// `down`: F_i, `up`: F - F_i. Thread: RT.
@@ -26,8 +26,8 @@ class BitContact {
   void silence() noexcept { s_ = off_ = 0; }
 
  private:
-  double reflect(double F_i) noexcept;
-  double reflect_across_gap(double F_i) noexcept;
+  void press(const double* down, double* up, int frames) noexcept;
+  void rattle(const double* down, double* up, int frames) noexcept;
 
   double K_ = 0.05, share_ = 0.05 / 1.05;  ///< K = 1 / (2 T), K / (1 + K)
   double s_ = 0;

@@ -1,7 +1,6 @@
 #include "string/longitudinal_string.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 namespace rigsound::string {
@@ -37,13 +36,8 @@ void LongitudinalString::restring(int rods) noexcept {
   state_.sleeve_steps = tuning.sleeve_steps;
   state_.rho = tuning.reflection();
   state_.loss_middle = tuning.loss_middle, state_.loss_side = tuning.loss_side;
-  const auto [b, c] = thiran_section(tuning.head_delay);
-  state_.e = std::sqrt(c);
-  state_.h = std::sqrt(b);
-  state_.g0 = 2 / (1 + b + c);
-  state_.g1 = state_.g0 * c;
-  state_.g2 = state_.g0 * state_.h;
-  state_.c0 = ((1 + c) - b) / ((1 + c) + b);
+  const auto [a1, a2] = thiran(tuning.head_delay);
+  state_.a1 = a1, state_.a2 = a2;
   block_ = tuning.block;
   sleeve_impedance_ = tuning.sleeve_impedance;
   silence();
@@ -73,7 +67,9 @@ void LongitudinalString::process(const LinesDrive& drive) noexcept {
 
 double LongitudinalString::energy() const noexcept {
   const LinesState& s = state_;
-  double sum = bit_.energy() + (s.x1 * s.x1 + s.e * s.e * s.x2 * s.x2);
+  // What is left in the allpass: solves E(s') + y^2 = E(s) + u^2.
+  const double ratio = s.a1 / (1 + s.a2), share = (1 - s.a2) * ((1 + s.a2) - s.a1 * ratio);
+  double sum = bit_.energy() + (s.s1 * s.s1 + s.s2 * s.s2 - 2 * ratio * s.s1 * s.s2) / share;
   for (int j = 0; j <= s.joints; ++j)
     for (int d = 1; d <= s.delay[j]; ++d) sum += s.line[j][s.at - d] * s.line[j][s.at - d];
   // A filter of three taps that add up to 1 keeps what its last two inputs may still give.
@@ -89,7 +85,7 @@ double LongitudinalString::energy() const noexcept {
 void LongitudinalString::silence() noexcept {
   std::fill(memory_.begin(), memory_.end(), 0.0);
   std::memset(state_.sleeve, 0, sizeof state_.sleeve);
-  state_.x1 = state_.x2 = 0;
+  state_.s1 = state_.s2 = 0;
   bit_.silence();
 }
 

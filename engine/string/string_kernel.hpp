@@ -33,6 +33,10 @@ struct StringKernel {
 
   /// Tunes one group anew; what rings in it goes on. Thread: RT.
   void (*tune)(ModesState& state, const ModesTuning& tuning, int group) noexcept;
+
+  /// kChunk samples: `sound` holds the string's waves and gets the mix with `bending`, high-passed. Thread:
+  /// RT.
+  void (*voice)(VoiceState& state, const double* bending, double* sound) noexcept;
 };
 
 /// Thread: any.

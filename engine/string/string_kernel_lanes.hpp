@@ -20,6 +20,13 @@ inline V load(const double* from) {
   return v;
 }
 
+/// The same from an address that is a multiple of the vector's size; SSE2 then loads where it computes.
+inline V load_aligned(const double* from) {
+  V v;
+  std::memcpy(&v, __builtin_assume_aligned(from, sizeof v), sizeof v);
+  return v;
+}
+
 inline void store(double* to, V v) { std::memcpy(to, &v, sizeof v); }
 
 inline V everywhere(double x) { return V{} + x; }
@@ -32,32 +39,34 @@ inline V held(V v) {
   return kept(kept(v, v > V{}), ~above) + kept(everywhere(1), above);
 }
 
-/// Both junctions of a joint, one multiplication each; Q: sleeve_steps.
-template <int Q>
-inline void scatter(double* down, double* up, const double* below, double* sleeve, double rho, int frames) {
+/// Both junctions of a joint, one multiplication each. Q: sleeve_steps; F: samples.
+template <int Q, int F>
+inline void scatter(double* down, double* up, const double* below, double* sleeve, double rho) {
   constexpr int N = Q * kSleeveStep / W;
   V inside[N];
+#pragma GCC unroll 8
   for (int i = 0; i < N; ++i) inside[i] = load(sleeve + W * i);
   const V r = everywhere(rho);
-#pragma GCC unroll 2
-  for (int n = 0; n < frames; n += Q * kSleeveStep) {
+#pragma GCC unroll 8
+  for (int n = 0; n < F; n += Q * kSleeveStep) {
 #pragma GCC unroll 8
     for (int i = 0; i < N; ++i) {
       const int m = n + W * i;
-      const V above = load(down + m), w = r * (above - inside[i]);
+      const V above = load_aligned(down + m), w = r * (above - inside[i]);
       store(up + m, inside[i] + w);
       const V through = above + w, from_rod = load(below + m), w2 = r * (through - from_rod);
       inside[i] = from_rod - w2;
       store(down + m, through - w2);
     }
   }
+#pragma GCC unroll 8
   for (int i = 0; i < N; ++i) store(sleeve + W * i, inside[i]);
 }
 
 /// Two free ends where the string is broken; the lower one is heard too.
-inline void part(double* down, double* up, const double* below, const double* snap, double* heard,
-                 int frames) {
-  for (int n = 0; n < frames; n += W) {
+template <int F>
+void part(double* down, double* up, const double* below, const double* snap, double* heard) {
+  for (int n = 0; n < F; n += W) {
     const V pulse = load(snap + n);
     store(up + n, pulse - load(down + n));
     const V lower = V{} - pulse - load(below + n);
@@ -66,79 +75,101 @@ inline void part(double* down, double* up, const double* below, const double* sn
   }
 }
 
-/// The allpass of the shank's free end, in locals.
+/// The reflection at the shank's free end, in locals.
 struct FreeEnd {
   explicit FreeEnd(const LinesState& s)
-      : g0(s.g0), g1(s.g1), g2(s.g2), c0(s.c0), h(s.h), x1(s.x1), x2(s.x2) {}
+      : middle(everywhere(s.loss_middle)),
+        side(everywhere(s.loss_side)),
+        a1(s.a1),
+        a2(s.a2),
+        s1(s.s1),
+        s2(s.s2) {}
 
-  double pass(double u) {
-    const double w = g0 * x1 - g1 * x2, m = w + g2 * u, y = c0 * u - h * w;
-    x1 = m - x1;
-    x2 = x2 + m;
-    return y;
+  /// F samples that arrived, reflected and struck: to `down`.
+  template <int F>
+  void reflect(const double* arrived, const double* in, double* down) {
+    alignas(32) double u[F];
+#pragma GCC unroll 16
+    for (int n = 0; n < F; n += W)
+      store(u + n, middle * load(arrived + n - 1) + side * (load(arrived + n) + load(arrived + n - 2)));
+#pragma GCC unroll 8
+    for (int n = 0; n < F; ++n) {
+      const double y = a2 * u[n] + s1;
+      s1 = a1 * (u[n] - y) + s2;
+      s2 = u[n] - a2 * y;
+      down[n] = in[n] - y;
+    }
   }
 
-  double g0, g1, g2, c0, h, x1, x2;
+  V middle, side;
+  double a1, a2, s1, s2;
 };
 
-/// `frames` samples reflected at the free end and struck: to `down`.
-inline void reflect(const LinesState& s, const double* arrived, const double* in, FreeEnd& end, double* down,
-                    int frames) {
-  const V middle = everywhere(s.loss_middle), side = everywhere(s.loss_side);
-#pragma GCC unroll 4
-  for (int n = 0; n < frames; n += W)
-    store(down + n, middle * load(arrived + n - 1) + side * (load(arrived + n) + load(arrived + n - 2)));
-#pragma GCC unroll 4
-  for (int n = 0; n < frames; ++n) down[n] = in[n] - end.pass(down[n]);
-}
-
-/// Joint `j` for the block's samples from `n`.
-template <int Q>
-inline void pass_joint(LinesState& s, const LinesDrive& drive, int j, int from, int n, int frames) {
+/// Joint `j` for F samples of the block from `n`.
+template <int Q, int F>
+inline void pass_joint(LinesState& s, const LinesDrive& drive, int j, int from, int n) {
   double* const up = s.line[j] + s.at + from + n;
   const double* const below = s.line[j + 1] + s.at + from + n - s.delay[j + 1];
   if (j == s.cut)
-    part(s.down + n, up, below, drive.snap + from + n, drive.heard + from + n, frames);
+    part<F>(s.down + n, up, below, drive.snap + from + n, drive.heard + from + n);
   else
-    scatter<Q>(s.down + n, up, below, s.sleeve[j], s.rho, frames);
+    scatter<Q, F>(s.down + n, up, below, s.sleeve[j], s.rho);
 }
 
 /// The shank's round trip may be as short as a sleeve's, so its joint goes sleeve by sleeve.
-template <int Q>
-void run_lines(LinesState& s, const LinesDrive& drive, int from, int frames) noexcept {
+template <int Q, int F>
+void run_lines(LinesState& s, const LinesDrive& drive, int from) {
   FreeEnd end(s);
   const double* const arrived = s.line[0] + s.at + from - s.delay[0];
-  const int step = s.joints > 0 ? Q * kSleeveStep : frames;
-  for (int n = 0; n < frames; n += step) {
-    reflect(s, arrived + n, drive.in + from + n, end, s.down + n, step);
-    std::memcpy(drive.heard + from + n, s.down + n, static_cast<std::size_t>(step) * sizeof(double));
-    if (s.joints > 0) pass_joint<Q>(s, drive, 0, from, n, step);
+  if (s.joints == 0) {
+    end.reflect<F>(arrived, drive.in + from, s.down);
+    std::memcpy(drive.heard + from, s.down, F * sizeof(double));
+  } else {
+    constexpr int kStep = Q * kSleeveStep;
+    for (int n = 0; n < F; n += kStep) {
+      end.reflect<kStep>(arrived + n, drive.in + from + n, s.down + n);
+      std::memcpy(drive.heard + from + n, s.down + n, kStep * sizeof(double));
+      pass_joint<Q, kStep>(s, drive, 0, from, n);
+    }
   }
-  s.x1 = end.x1, s.x2 = end.x2;
-  for (int j = 1; j < s.joints; ++j) pass_joint<Q>(s, drive, j, from, 0, frames);
+  s.s1 = end.s1, s.s2 = end.s2;
+  for (int j = 1; j < s.joints; ++j) pass_joint<Q, F>(s, drive, j, from, 0);
+}
+
+template <int Q>
+void run_block(LinesState& s, const LinesDrive& drive, int from, int frames) {
+  constexpr int kStep = Q * kSleeveStep;
+  if (frames == kChunk)
+    run_lines<Q, kChunk>(s, drive, from);
+  else if (frames >= 2 * kStep)
+    run_lines<Q, 2 * kStep>(s, drive, from);
+  else
+    run_lines<Q, kStep>(s, drive, from);
 }
 
 void lines(LinesState& s, const LinesDrive& drive, int from, int frames) noexcept {
   if (s.sleeve_steps == 1)
-    run_lines<1>(s, drive, from, frames);
+    run_block<1>(s, drive, from, frames);
   else if (s.sleeve_steps == 2)
-    run_lines<2>(s, drive, from, frames);
+    run_block<2>(s, drive, from, frames);
   else
-    run_lines<4>(s, drive, from, frames);
+    run_block<4>(s, drive, from, frames);
 }
 
 /// U groups at a time: a part of each, its coefficients and state in registers.
 template <int U>
 struct Modes {
   Modes(const ModesState& s, int first) {
+#pragma GCC unroll 4
     for (int u = 0; u < U; ++u) {
       const int k = first + kGroup * u;
-      a1[u] = load(s.a1 + k), b2[u] = load(s.b2 + k), in[u] = load(s.in + k);
+      a1[u] = load(s.a1 + k), b2[u] = V{} - load(s.b2 + k), in[u] = load(s.in + k);
       y1[u] = load(s.y1 + k), y2[u] = load(s.y2 + k);
     }
   }
 
   void keep(ModesState& s, int first) const {
+#pragma GCC unroll 4
     for (int u = 0; u < U; ++u)
       store(s.y1 + first + kGroup * u, y1[u]), store(s.y2 + first + kGroup * u, y2[u]);
   }
@@ -148,13 +179,14 @@ struct Modes {
   void run(int from, int to, const double* x, double* sum) {
 #pragma GCC unroll 2
     for (int n = from; n < to; n += 2) {
-      V even = kFirst ? V{} : load(sum + kGroup * n), odd = kFirst ? V{} : load(sum + kGroup * n + kGroup);
+      V even = kFirst ? V{} : load_aligned(sum + kGroup * n),
+        odd = kFirst ? V{} : load_aligned(sum + kGroup * n + kGroup);
 #pragma GCC unroll 4
       for (int u = 0; u < U; ++u) {
-        y2[u] = a1[u] * y1[u] - b2[u] * y2[u];
+        y2[u] = b2[u] * y2[u] + a1[u] * y1[u];
         if (kDriven) y2[u] += in[u] * x[n];
         even = kFirst && u == 0 ? y2[u] : even + y2[u];
-        y1[u] = a1[u] * y2[u] - b2[u] * y1[u];
+        y1[u] = b2[u] * y1[u] + a1[u] * y2[u];
         if (kDriven) y1[u] += in[u] * x[n + 1];
         odd = kFirst && u == 0 ? y1[u] : odd + y1[u];
       }
@@ -163,7 +195,7 @@ struct Modes {
     }
   }
 
-  V a1[U], b2[U], in[U], y1[U], y2[U];
+  V a1[U], b2[U], in[U], y1[U], y2[U];  // b2 with its sign turned: SSE2 saves a move
 };
 
 template <int U, int kFirst>
@@ -171,9 +203,13 @@ void run_groups(ModesState& s, const ModesDrive& drive, int first, double* sum) 
   for (int i = 0; i < kParts; ++i) {
     const int k = first + W * i;
     Modes<U> modes(s, k);
-    modes.template run<0, kFirst>(0, drive.first, drive.x, sum + W * i);
-    modes.template run<1, kFirst>(drive.first, drive.last, drive.x, sum + W * i);
-    modes.template run<0, kFirst>(drive.last, kChunk, drive.x, sum + W * i);
+    if (drive.first == drive.last) {
+      modes.template run<0, kFirst>(0, kChunk, drive.x, sum + W * i);
+    } else {
+      modes.template run<0, kFirst>(0, drive.first, drive.x, sum + W * i);
+      modes.template run<1, kFirst>(drive.first, drive.last, drive.x, sum + W * i);
+      modes.template run<0, kFirst>(drive.last, kChunk, drive.x, sum + W * i);
+    }
     modes.keep(s, k);
   }
 }
@@ -187,14 +223,30 @@ int run_some(ModesState& s, const ModesDrive& drive, int group, double* sum) {
   return run_groups<1, kFirst>(s, drive, first, sum), 1;
 }
 
+/// Four samples from four lanes each: (lane 0 + lane 1) + (lane 2 + lane 3).
+inline void add_lanes(const double* lanes, double* out) {
+#if RIGSOUND_LANES == 4
+  const V a = load_aligned(lanes), b = load_aligned(lanes + 4), c = load_aligned(lanes + 8),
+          d = load_aligned(lanes + 12);
+  const V ab = __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const V cd = __builtin_shufflevector(c, d, 0, 4, 2, 6) + __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  store(out, __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7));
+#else
+  for (int n = 0; n < 4; n += 2) {
+    const V a = load(lanes + 4 * n), b = load(lanes + 4 * n + 2);
+    const V c = load(lanes + 4 * n + 4), d = load(lanes + 4 * n + 6);
+    store(out + n, (__builtin_shufflevector(a, c, 0, 2) + __builtin_shufflevector(a, c, 1, 3)) +
+                       (__builtin_shufflevector(b, d, 0, 2) + __builtin_shufflevector(b, d, 1, 3)));
+  }
+#endif
+}
+
 void modes(ModesState& s, const ModesDrive& drive, double* out) noexcept {
   alignas(32) double sum[kGroup * kChunk];
   int group = run_some<1>(s, drive, 0, sum);
   while (group < s.groups) group += run_some<0>(s, drive, group, sum);
-  for (int n = 0; n < kChunk; ++n) {
-    const double* const lane = sum + kGroup * n;
-    out[n] = (lane[0] + lane[1]) + (lane[2] + lane[3]);
-  }
+#pragma GCC unroll 2
+  for (int n = 0; n < kChunk; n += 4) add_lanes(sum + kGroup * n, out + n);
 }
 
 void tune(ModesState& s, const ModesTuning& tuning, int group) noexcept {
@@ -216,7 +268,22 @@ void tune(ModesState& s, const ModesTuning& tuning, int group) noexcept {
   }
 }
 
-constexpr StringKernel kKernel = {lines, modes, tune};
+void voice(VoiceState& s, const double* bending, double* sound) noexcept {
+  alignas(32) double rise[kChunk + W];  // from sample to sample, W places late
+  const V mix = everywhere(s.string_mix), b = everywhere(s.hp_b);
+  double y = s.hp_y;
+  rise[W - 1] = s.hp_x;
+#pragma GCC unroll 4
+  for (int n = 0; n < kChunk; n += W) store(rise + W + n, mix * load(sound + n) + load(bending + n));
+  s.hp_x = rise[W + kChunk - 1];
+#pragma GCC unroll 4
+  for (int n = 0; n < kChunk; n += W) store(sound + n, b * (load(rise + W + n) - load(rise + W + n - 1)));
+#pragma GCC unroll 8
+  for (int n = 0; n < kChunk; ++n) sound[n] = y = sound[n] + s.hp_p * y;
+  s.hp_y = y;
+}
+
+constexpr StringKernel kKernel = {lines, modes, tune, voice};
 
 }  // namespace
 }  // namespace rigsound::string

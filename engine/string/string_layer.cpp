@@ -47,6 +47,7 @@ StringLayer::StringLayer(const StringModel& model, double sample_rate, std::uint
       loading_share_(1 - dsp::one_pole_remainder(kLoading_s, kChunk, sample_rate)),
       exposed_share_(1 - dsp::one_pole_remainder(kExposed_s, kChunk, sample_rate)),
       fade_step_(1 / (kFade_s * sample_rate)),
+      kernel_(string_kernel(width)),
       strikes_(strike_of(model), sample_rate, seed, boom),
       string_(model, sample_rate, width),
       bending_(model, sample_rate, width),
@@ -58,8 +59,9 @@ StringLayer::StringLayer(const StringModel& model, double sample_rate, std::uint
   for (int n = 0; n < kChunk && n + 0.5 < samples; ++n)
     snap_pulse_[n] = snap / 2 * (1 - dsp::cos(dsp::kTwoPi * (n + 0.5) / samples));
   const double t = std::sqrt(3.0) * dsp::tan(dsp::kPi * model.highpass_hz / sample_rate);
-  hp_p_ = (1 - t) / (1 + t);
-  hp_b_ = (1 + hp_p_) / 2;
+  voice_.hp_p = (1 - t) / (1 + t);
+  voice_.hp_b = (1 + voice_.hp_p) / 2;
+  voice_.string_mix = model.level * model.string_mix;
 }
 
 void StringLayer::restring(const StringInput& input) noexcept {
@@ -70,7 +72,7 @@ void StringLayer::restring(const StringInput& input) noexcept {
   if (broken_) string_.part();
   bending_.set(exposed_m_, contact_);
   bending_.retune();
-  hp_x_ = hp_y_ = 0;
+  voice_.hp_x = voice_.hp_y = 0;
   asleep_ = true;
 }
 
@@ -110,7 +112,7 @@ void StringLayer::follow(const StringInput& input) noexcept {
 }
 
 void StringLayer::ring(bool struck, double* out) noexcept {
-  double bending[kChunk], both[kChunk];
+  alignas(32) double bending[kChunk], both[kChunk];
   const double* x = x_;
   if (snaps_) {
     for (int n = 0; n < kChunk; ++n) both[n] = x_[n] + snap_[n];
@@ -118,18 +120,7 @@ void StringLayer::ring(bool struck, double* out) noexcept {
   }
   string_.process({string_.parted() ? x_ : x, snap_, out});
   bending_.process(x, struck || snaps_, bending);
-  const double a = model_.level * model_.string_mix, b = model_.level * model_.bending_mix;
-  for (int n = 0; n < kChunk; ++n) out[n] = a * out[n] + b * bending[n];
-}
-
-void StringLayer::apply_highpass(double* out) noexcept {
-  double x = hp_x_, y = hp_y_;
-  for (int n = 0; n < kChunk; ++n) {
-    y = hp_b_ * (out[n] - x) + hp_p_ * y;
-    x = out[n];
-    out[n] = y;
-  }
-  hp_x_ = x, hp_y_ = y;
+  kernel_.voice(voice_, bending, out);
 }
 
 void StringLayer::apply_fade(double* out) noexcept {
@@ -148,7 +139,7 @@ void StringLayer::rest_if_silent(bool struck, const double* out) noexcept {
   if (string_.energy() + bending_.energy() > kSilent) return;
   string_.silence();
   bending_.silence();
-  hp_x_ = hp_y_ = 0;
+  voice_.hp_x = voice_.hp_y = 0;
   asleep_ = true;
 }
 
@@ -161,7 +152,6 @@ void StringLayer::process(const StringInput& input, const Impacts& impacts, doub
   } else {
     asleep_ = false;
     ring(struck, out);
-    apply_highpass(out);
     rest_if_silent(struck || snaps_, out);
   }
   if (fade_ != Fade::kNone) apply_fade(out);

@@ -29,7 +29,6 @@ class StringLayer {
   void break_rod() noexcept;
   void follow(const StringInput& input) noexcept;
   void ring(bool struck, double* out) noexcept;
-  void apply_highpass(double* out) noexcept;
   void apply_fade(double* out) noexcept;
   void rest_if_silent(bool struck, const double* out) noexcept;
 
@@ -37,6 +36,7 @@ class StringLayer {
   double impedance_;                                                 ///< of the rod, times samples a second
   double width_samples_;                                             ///< of a strike
   double contact_step_, loading_share_, exposed_share_, fade_step_;  ///< a chunk, a chunk, a chunk, a sample
+  StringKernel kernel_;
   tool::Strikes strikes_;
   LongitudinalString string_;
   BendingModes bending_;
@@ -52,7 +52,7 @@ class StringLayer {
   double snap_[kChunk] = {};  ///< and the pulse of a breaking rod
   bool snaps_ = false;
   double snap_pulse_[kChunk] = {};
-  double hp_b_, hp_p_, hp_x_ = 0, hp_y_ = 0;
+  VoiceState voice_{};
   bool asleep_ = true;
   int quiet_ = 0;  ///< chunks
 };

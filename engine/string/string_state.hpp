@@ -26,9 +26,8 @@ struct LinesState {
   alignas(32) double sleeve[kMaxRods][kMaxSleeve];  ///< upward wave in every sleeve, next out first
 
   double loss_middle, loss_side;  ///< reflection at the shank's free end, see StringTuning
-  // Thiran allpass there, lossless whatever it is set to: w = g0 x1 - g1 x2, m = w + g2 u, y = c0 u - h w,
-  // x1' = m - x1, x2' = x2 + m keeps y^2 + x1'^2 + (e x2')^2 = u^2 + x1^2 + (e x2)^2.
-  double g0, g1, g2, c0, h, e, x1, x2;
+  // Thiran allpass there: y = a2 u + s1, s1' = a1 (u - y) + s2, s2' = u - a2 y.
+  double a1, a2, s1, s2;
 
   alignas(32) double down[kChunk];  ///< of the block at hand: downward wave at the bit
 };
@@ -42,6 +41,12 @@ struct ModesState {
   alignas(32) double a1[kMaxModes], b2[kMaxModes], in[kMaxModes];
   alignas(32) double c[kMaxModes], s[kMaxModes];
   alignas(32) double y1[kMaxModes], y2[kMaxModes];  ///< last output and the one before
+};
+
+/// Mix m = string_mix u + v, and a high-pass y = hp_b (m - m_1) + hp_p y_1.
+struct VoiceState {
+  double string_mix, hp_b, hp_p;
+  double hp_x, hp_y;
 };
 
 /// What modes are tuned to: 1 - r = loss + loss_slope t^2 + fade_loss fade, t = tan(pi f / rate); fade goes

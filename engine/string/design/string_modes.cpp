@@ -49,16 +49,17 @@ std::vector<Section> exact_sections(const StringModel& model, double sample_rate
   return sections;
 }
 
-/// Lag of the Thiran allpass, samples.
-double phase_delay(const ThiranSection& s, double omega) {
-  const double t = dsp::tan(omega / 2);
-  return 2 * dsp::atan2(s.b * t, s.c - t * t) / omega;
+/// Lag of the Thiran allpass, samples: that of z^-2 and twice that of its denominator's conjugate.
+double phase_delay(const Thiran& s, double omega) {
+  const double re = 1 + s.a1 * dsp::cos(omega) + s.a2 * dsp::cos(2 * omega);
+  const double im = s.a1 * dsp::sin(omega) + s.a2 * dsp::sin(2 * omega);
+  return 2 - 2 * dsp::atan2(im, re) / omega;
 }
 
 std::vector<Section> played_sections(const StringTuning& tuning, double omega) {
   std::vector<Section> sections;
   for (int j = 0; j <= tuning.joints; ++j) {
-    const double head = j == 0 ? 1 + phase_delay(thiran_section(tuning.head_delay), omega) : 0;
+    const double head = j == 0 ? 1 + phase_delay(thiran(tuning.head_delay), omega) : 0;
     if (j > 0) sections.push_back({tuning.sleeve_impedance, tuning.sleeve_steps * kSleeveStep / 2.0});
     sections.push_back({1, (tuning.delay[j] + head) / 2});
   }

@@ -22,13 +22,12 @@ void fit_sleeve(const StringModel& model, double sample_rate, StringTuning& tuni
   rods_gain = Z * wanted - tuning.sleeve_impedance * held;
 }
 
-/// Largest block of whole sleeves that no line's round trip is shorter than.
+/// A chunk, two sleeves or one, as much as no line's round trip is shorter than.
 int block_within(const StringTuning& tuning) {
   int shortest = tuning.joints == 0 ? tuning.delay[0] : tuning.delay[1];
   for (int j = 2; j <= tuning.joints; ++j) shortest = std::min(shortest, tuning.delay[j]);
-  int block = kChunk;
-  while (block > shortest && block > kSleeveStep * tuning.sleeve_steps) block /= 2;
-  return block;
+  const int step = kSleeveStep * tuning.sleeve_steps;
+  return kChunk <= shortest ? kChunk : 2 * step <= shortest ? 2 * step : step;
 }
 
 /// From the bit up, so that the fraction of a sample is left to the shank.
@@ -80,10 +79,8 @@ double StringTuning::round_trip() const noexcept {
   return sum;
 }
 
-ThiranSection thiran_section(double delay) noexcept {
-  const double a1 = -2 * (delay - 2) / (delay + 1);
-  const double a2 = (delay - 2) * (delay - 1) / ((delay + 1) * (delay + 2));
-  return {2 * (1 - a2) / (1 - a1 + a2), (1 + a1 + a2) / (1 - a1 + a2)};
+Thiran thiran(double delay) noexcept {
+  return {-2 * (delay - 2) / (delay + 1), (delay - 2) * (delay - 1) / ((delay + 1) * (delay + 2))};
 }
 
 StringTuning tune_string(const StringModel& model, int rods, double sample_rate) {

@@ -16,7 +16,7 @@ constexpr double kDensity = 7850;        ///< steel, kg/m^3
 struct StringTuning {
   int joints = 0;             ///< sleeves; joint j lies between line j and line j + 1
   int delay[kMaxLines] = {};  ///< round trips, whole samples, the shank's first
-  int block = kSleeveStep;    ///< samples that can be computed line by line, a divisor of kChunk
+  int block = kSleeveStep;    ///< samples that can be computed line by line: a chunk, two sleeves or one
   int sleeve_steps = 1;
   double sleeve_impedance = 1;  ///< of a sleeve that long with the mass and compliance of the real one
   double head_delay = 2;        ///< 1.5...2.5 samples, a second-order Thiran allpass at the shank's free end
@@ -40,11 +40,10 @@ double round_trip_samples(double length_m, double sample_rate) noexcept;
 /// Wave impedance of the rod A sqrt(E rho), kg/s.
 double rod_impedance(const StringModel& model) noexcept;
 
-/// The second-order Thiran allpass of `delay` samples as (p^2 - b p + c) / (p^2 + b p + c),
-/// p = (1 - z^-1) / (1 + z^-1).
-struct ThiranSection {
-  double b = 0, c = 0;
+/// The second-order Thiran allpass (a2 + a1 z^-1 + z^-2) / (1 + a1 z^-1 + a2 z^-2), its delay flat at 0 Hz.
+struct Thiran {
+  double a1 = 0, a2 = 0;
 };
-ThiranSection thiran_section(double delay) noexcept;
+Thiran thiran(double delay) noexcept;
 
 }  // namespace rigsound::string
