@@ -12,6 +12,8 @@ namespace {
 constexpr double kLow_hz = 200, kHigh_hz = 8000;  // where the decay times of the model hold
 constexpr double kFadeDecay_s = 0.005;            // of a mode on its way out at kFadeTo_hz, at most
 constexpr int kQuarters = 4;
+constexpr int kEager =
+    2;  // groups at the top that follow every chunk: their steps would be heard above the modes
 constexpr double kSilent = 1e-40;  // squared; what is less is zeroed before it turns denormal
 
 }  // namespace
@@ -60,7 +62,7 @@ void BendingModes::retune() noexcept {
   state_.groups = 0;
   choose_groups();
   for (int group = 0; group < state_.groups; ++group) kernel_.tune(state_, tuning_, group);
-  stale_ = 0;
+  stale_ = turn_ = visited_ = 0;
 }
 
 /// A group sounds while its lowest mode does.
@@ -77,7 +79,9 @@ void BendingModes::choose_groups() noexcept {
 
 void BendingModes::tune_some() noexcept {
   choose_groups();
-  for (int group = turn_; group < state_.groups; group += kQuarters) kernel_.tune(state_, tuning_, group);
+  const int eager = std::max(0, state_.groups - kEager);
+  for (int group = turn_; group < eager; group += kQuarters) kernel_.tune(state_, tuning_, group);
+  for (int group = eager; group < state_.groups; ++group) kernel_.tune(state_, tuning_, group);
   turn_ = (turn_ + 1) % kQuarters;
   --stale_;
 }

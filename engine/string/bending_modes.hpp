@@ -12,7 +12,8 @@ class BendingModes {
   /// Silent, the whole rod exposed and free. Thread: OFF.
   BendingModes(const StringModel& model, double sample_rate, LaneWidth width);
 
-  /// Takes effect within four chunks, a quarter of the modes each. `contact` 0...1 damps. Thread: RT.
+  /// Takes effect within four chunks, a quarter of the modes each, the highest at once. `contact` 0...1
+  /// damps. Thread: RT.
   void set(double exposed_m, double contact) noexcept;
 
   /// Silence, and at once what set() asked for. Thread: RT.

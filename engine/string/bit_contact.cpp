@@ -49,7 +49,7 @@ void BitContact::rattle(const double* down, double* up, int frames) noexcept {
       up[n] = F - F_i;
     } else {
       s = two > 0 ? two : 0;
-      if (two < 0) off = std::min(-two, gap);
+      if (two <= 0) off = std::min(back - two, gap);
       up[n] = s - F_i;
     }
   }

@@ -23,7 +23,8 @@ class BitContact {
   void process(const double* down, double* up, int frames) noexcept;
 
   double energy() const noexcept { return s_ * s_ / (4 * K_); }
-  void silence() noexcept { s_ = off_ = 0; }
+  /// At rest in its gap.
+  void silence() noexcept { s_ = 0, off_ = gap_ > 0 ? gap_ : 0; }
 
  private:
   void press(const double* down, double* up, int frames) noexcept;

@@ -150,6 +150,7 @@ void StringLayer::process(const StringInput& input, const Impacts& impacts, doub
   if (asleep_ && !struck && !snaps_) {
     std::fill(out, out + kChunk, 0.0);
   } else {
+    if (asleep_) string_.bit().silence(), bending_.retune();
     asleep_ = false;
     ring(struck, out);
     rest_if_silent(struck || snaps_, out);
