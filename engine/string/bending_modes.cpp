@@ -14,7 +14,8 @@ constexpr double kFadeDecay_s = 0.005;            // of a mode on its way out at
 constexpr int kQuarters = 4;
 constexpr int kEager =
     2;  // groups at the top that follow every chunk: their steps would be heard above the modes
-constexpr double kSilent = 1e-40;  // squared; what is less is zeroed before it turns denormal
+constexpr unsigned kVisitEvery = 4;  // chunks
+constexpr double kSilent = 1e-40;    // squared; what is less is zeroed before it turns denormal
 
 }  // namespace
 
@@ -102,8 +103,7 @@ void BendingModes::process(const double* x, bool struck, double* out) noexcept {
     drive.last += drive.last % 2;
   }
   kernel_.modes(state_, drive, out);
-  visited_ = visited_ + 1 < state_.groups ? visited_ + 1 : 0;
-  forget_silent(visited_);
+  if (++visited_ % kVisitEvery == 0) forget_silent(visited_ / kVisitEvery % state_.groups);
 }
 
 double BendingModes::frequency_hz(int mode) const noexcept {

@@ -48,9 +48,9 @@ class BendingModes {
   double exposed_m_ = 0, contact_ = 0;
   ModesTuning tuning_;
   ModesState state_{};
-  int turn_ = 0;   ///< which quarter of the groups comes next
-  int stale_ = 0;  ///< quarters that still play what was set before
-  int visited_ = 0;
+  int turn_ = 0;          ///< which quarter of the groups comes next
+  int stale_ = 0;         ///< quarters that still play what was set before
+  unsigned visited_ = 0;  ///< chunks
 };
 
 }  // namespace rigsound::string

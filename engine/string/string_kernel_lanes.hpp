@@ -105,35 +105,58 @@ struct FreeEnd {
   double a1, a2, s1, s2;
 };
 
-/// Joint `j` for F samples of the block from `n`.
-template <int Q, int F>
-inline void pass_joint(LinesState& s, const LinesDrive& drive, int j, int from, int n) {
-  double* const up = s.line[j] + s.at + from + n;
-  const double* const below = s.line[j + 1] + s.at + from + n - s.delay[j + 1];
-  if (j == s.cut)
-    part<F>(s.down + n, up, below, drive.snap + from + n, drive.heard + from + n);
-  else
-    scatter<Q, F>(s.down + n, up, below, s.sleeve[j], s.rho);
+/// Where one block's waves go.
+struct Places {
+  Places(const LinesState& s, const LinesDrive& drive, int from)
+      : at(s.at + from), in(drive.in + from), snap(drive.snap + from), heard(drive.heard + from) {}
+
+  double* up(const LinesState& s, int j) const { return s.line[j] + at; }
+  const double* arrived(const LinesState& s, int j) const { return s.line[j] + at - s.delay[j]; }
+
+  int at;
+  const double *in, *snap;
+  double* heard;
+};
+
+/// N samples from the shank's end through the first joint, which only `kParted` breaks.
+template <int Q, int N, int kParted>
+inline void run_head(LinesState& s, const Places& at, int frames) {
+  FreeEnd end(s);
+  double* const up = at.up(s, 0);
+  const double* const arrived = at.arrived(s, 0);
+  const double* const below = at.arrived(s, 1);
+  for (int n = 0; n < frames; n += N) {
+    end.reflect<N>(arrived + n, at.in + n, s.down + n);
+    std::memcpy(at.heard + n, s.down + n, N * sizeof(double));
+    if (kParted)
+      part<N>(s.down + n, up + n, below + n, at.snap + n, at.heard + n);
+    else
+      scatter<Q, N>(s.down + n, up + n, below + n, s.sleeve[0], s.rho);
+  }
+  s.s1 = end.s1, s.s2 = end.s2;
 }
 
 /// The shank's round trip may be as short as a sleeve's, so its joint goes sleeve by sleeve.
 template <int Q, int F>
 void run_lines(LinesState& s, const LinesDrive& drive, int from) {
-  FreeEnd end(s);
-  const double* const arrived = s.line[0] + s.at + from - s.delay[0];
+  constexpr int kStep = Q * kSleeveStep;
+  const Places at(s, drive, from);
   if (s.joints == 0) {
-    end.reflect<F>(arrived, drive.in + from, s.down);
-    std::memcpy(drive.heard + from, s.down, F * sizeof(double));
+    FreeEnd end(s);
+    end.reflect<F>(at.arrived(s, 0), at.in, s.down);
+    s.s1 = end.s1, s.s2 = end.s2;
+    std::memcpy(at.heard, s.down, F * sizeof(double));
+  } else if (s.cut == 0) {
+    run_head<Q, kStep, 1>(s, at, F);
   } else {
-    constexpr int kStep = Q * kSleeveStep;
-    for (int n = 0; n < F; n += kStep) {
-      end.reflect<kStep>(arrived + n, drive.in + from + n, s.down + n);
-      std::memcpy(drive.heard + from + n, s.down + n, kStep * sizeof(double));
-      pass_joint<Q, kStep>(s, drive, 0, from, n);
-    }
+    run_head<Q, kStep, 0>(s, at, F);
   }
-  s.s1 = end.s1, s.s2 = end.s2;
-  for (int j = 1; j < s.joints; ++j) pass_joint<Q, F>(s, drive, j, from, 0);
+  for (int j = 1; j < s.joints; ++j) {
+    if (j == s.cut)
+      part<F>(s.down, at.up(s, j), at.arrived(s, j + 1), at.snap, at.heard);
+    else
+      scatter<Q, F>(s.down, at.up(s, j), at.arrived(s, j + 1), s.sleeve[j], s.rho);
+  }
 }
 
 template <int Q>
