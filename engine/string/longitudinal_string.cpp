@@ -34,6 +34,11 @@ void LongitudinalString::restring(int rods) noexcept {
   std::copy(std::begin(tuning.delay), std::end(tuning.delay), state_.delay);
   state_.at = stride_ - kSlack;
   state_.sleeve_steps = tuning.sleeve_steps;
+  state_.has_taps = tuning.has_fractions;
+  for (int j = 0; j < kMaxLines; ++j) {
+    const Lagrange taps = lagrange(tuning.fraction[j]);
+    std::copy(std::begin(taps.tap), std::end(taps.tap), state_.tap[j]);
+  }
   state_.rho = tuning.reflection();
   state_.loss_middle = tuning.loss_middle, state_.loss_side = tuning.loss_side;
   const auto [a1, a2] = thiran(tuning.head_delay);
@@ -65,6 +70,18 @@ void LongitudinalString::process(const LinesDrive& drive) noexcept {
   state_.at += kChunk;
 }
 
+namespace {
+
+/// What an interpolator still gives and loses when nothing follows its last two inputs; it loses
+/// 1 - |H|^2 = |q (1 - 2 z^-1 + z^-2)|^2, q^2 = fraction^2 (1 - fraction^2) / 4.
+double interpolator_energy(const double* tap, double u_1, double u_2) noexcept {
+  const double d = tap[2] - tap[0], q2 = d * d * (1 - d * d) / 4;
+  const double next = tap[1] * u_1 + tap[2] * u_2, last = tap[2] * u_1, lost = u_2 - 2 * u_1;
+  return next * next + last * last + q2 * (lost * lost + u_1 * u_1);
+}
+
+}  // namespace
+
 double LongitudinalString::energy() const noexcept {
   const LinesState& s = state_;
   // What is left in the allpass: solves E(s') + y^2 = E(s) + u^2.
@@ -76,6 +93,10 @@ double LongitudinalString::energy() const noexcept {
   const double side = s.loss_side / (s.loss_middle + 2 * s.loss_side);
   const double* const gone = s.line[0] + s.at - s.delay[0];
   sum += (1 - side) * gone[-1] * gone[-1] + side * gone[-2] * gone[-2];
+  for (int j = 1; s.has_taps && j <= s.joints; ++j) {
+    const double* const out = s.line[j] + s.at - s.delay[j];
+    sum += interpolator_energy(s.tap[j], out[-1], out[-2]);
+  }
   for (int j = 0; j < s.joints; ++j)
     for (int i = 0; i < s.sleeve_steps * kSleeveStep; ++i)
       sum += s.sleeve[j][i] * s.sleeve[j][i] / sleeve_impedance_;

@@ -39,9 +39,21 @@ inline V held(V v) {
   return kept(kept(v, v > V{}), ~above) + kept(everywhere(1), above);
 }
 
+/// What comes out of a rod's line, read at the place: as it is, or between samples.
+struct Whole {
+  explicit Whole(const double*) {}
+  V read(const double* at) const { return load(at); }
+};
+
+struct Between {
+  explicit Between(const double* tap) : a(everywhere(tap[0])), b(everywhere(tap[1])), c(everywhere(tap[2])) {}
+  V read(const double* at) const { return (a * load(at) + c * load(at - 2)) + b * load(at - 1); }
+  V a, b, c;
+};
+
 /// Both junctions of a joint, one multiplication each. Q: sleeve_steps; F: samples.
-template <int Q, int F>
-inline void scatter(double* down, double* up, const double* below, double* sleeve, double rho) {
+template <int Q, int F, class Rod>
+inline void scatter(double* down, double* up, const double* below, double* sleeve, double rho, Rod rod) {
   constexpr int N = Q * kSleeveStep / W;
   V inside[N];
 #pragma GCC unroll 8
@@ -54,7 +66,7 @@ inline void scatter(double* down, double* up, const double* below, double* sleev
       const int m = n + W * i;
       const V above = load_aligned(down + m), w = r * (above - inside[i]);
       store(up + m, inside[i] + w);
-      const V through = above + w, from_rod = load(below + m), w2 = r * (through - from_rod);
+      const V through = above + w, from_rod = rod.read(below + m), w2 = r * (through - from_rod);
       inside[i] = from_rod - w2;
       store(down + m, through - w2);
     }
@@ -64,12 +76,12 @@ inline void scatter(double* down, double* up, const double* below, double* sleev
 }
 
 /// Two free ends where the string is broken; the lower one is heard too.
-template <int F>
-void part(double* down, double* up, const double* below, const double* snap, double* heard) {
+template <int F, class Rod>
+void part(double* down, double* up, const double* below, const double* snap, double* heard, Rod rod) {
   for (int n = 0; n < F; n += W) {
     const V pulse = load(snap + n);
     store(up + n, pulse - load(down + n));
-    const V lower = V{} - pulse - load(below + n);
+    const V lower = V{} - pulse - rod.read(below + n);
     store(down + n, lower);
     store(heard + n, load(heard + n) + lower);
   }
@@ -118,10 +130,11 @@ struct Places {
   double* heard;
 };
 
-/// N samples from the shank's end through the first joint, which only `kParted` breaks.
-template <int Q, int N, int kParted>
+/// N samples at a time from the shank's end through the first joint, which only `kParted` breaks.
+template <int Q, int N, int kParted, class Rod>
 inline void run_head(LinesState& s, const Places& at, int frames) {
   FreeEnd end(s);
+  const Rod rod(s.tap[1]);
   double* const up = at.up(s, 0);
   const double* const arrived = at.arrived(s, 0);
   const double* const below = at.arrived(s, 1);
@@ -129,34 +142,47 @@ inline void run_head(LinesState& s, const Places& at, int frames) {
     end.reflect<N>(arrived + n, at.in + n, s.down + n);
     std::memcpy(at.heard + n, s.down + n, N * sizeof(double));
     if (kParted)
-      part<N>(s.down + n, up + n, below + n, at.snap + n, at.heard + n);
+      part<N>(s.down + n, up + n, below + n, at.snap + n, at.heard + n, rod);
     else
-      scatter<Q, N>(s.down + n, up + n, below + n, s.sleeve[0], s.rho);
+      scatter<Q, N>(s.down + n, up + n, below + n, s.sleeve[0], s.rho, rod);
   }
   s.s1 = end.s1, s.s2 = end.s2;
 }
 
-/// The shank's round trip may be as short as a sleeve's, so its joint goes sleeve by sleeve.
-template <int Q, int F>
-void run_lines(LinesState& s, const LinesDrive& drive, int from) {
+/// Joints from...to, none of them broken.
+template <int Q, int F, class Rod>
+inline void run_joints(LinesState& s, const Places& at, int from, int to) {
+  for (int j = from; j < to; ++j)
+    scatter<Q, F>(s.down, at.up(s, j), at.arrived(s, j + 1), s.sleeve[j], s.rho, Rod(s.tap[j + 1]));
+}
+
+/// F samples through a string with joints. The shank's round trip may be as short as a sleeve's, so its joint
+/// goes sleeve by sleeve.
+template <int Q, int F, class Rod>
+void run_jointed(LinesState& s, const LinesDrive& drive, int from) {
   constexpr int kStep = Q * kSleeveStep;
   const Places at(s, drive, from);
-  if (s.joints == 0) {
-    FreeEnd end(s);
-    end.reflect<F>(at.arrived(s, 0), at.in, s.down);
-    s.s1 = end.s1, s.s2 = end.s2;
-    std::memcpy(at.heard, s.down, F * sizeof(double));
-  } else if (s.cut == 0) {
-    run_head<Q, kStep, 1>(s, at, F);
-  } else {
-    run_head<Q, kStep, 0>(s, at, F);
+  if (s.cut == 0)
+    run_head<Q, kStep, 1, Rod>(s, at, F);
+  else
+    run_head<Q, kStep, 0, Rod>(s, at, F);
+  run_joints<Q, F, Rod>(s, at, 1, s.cut > 0 ? s.cut : s.joints);
+  if (s.cut <= 0) return;
+  part<F>(s.down, at.up(s, s.cut), at.arrived(s, s.cut + 1), at.snap, at.heard, Rod(s.tap[s.cut + 1]));
+  run_joints<Q, F, Rod>(s, at, s.cut + 1, s.joints);
+}
+
+template <int Q, int F>
+void run_lines(LinesState& s, const LinesDrive& drive, int from) {
+  if (s.joints > 0) {
+    s.has_taps ? run_jointed<Q, F, Between>(s, drive, from) : run_jointed<Q, F, Whole>(s, drive, from);
+    return;
   }
-  for (int j = 1; j < s.joints; ++j) {
-    if (j == s.cut)
-      part<F>(s.down, at.up(s, j), at.arrived(s, j + 1), at.snap, at.heard);
-    else
-      scatter<Q, F>(s.down, at.up(s, j), at.arrived(s, j + 1), s.sleeve[j], s.rho);
-  }
+  const Places at(s, drive, from);
+  FreeEnd end(s);
+  end.reflect<F>(at.arrived(s, 0), at.in, s.down);
+  s.s1 = end.s1, s.s2 = end.s2;
+  std::memcpy(at.heard, s.down, F * sizeof(double));
 }
 
 template <int Q>

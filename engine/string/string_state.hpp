@@ -22,6 +22,8 @@ struct LinesState {
   int joints;
   int cut;  ///< joint at which the string is broken, -1: none
   int sleeve_steps;
+  int has_taps;
+  double tap[kMaxLines][3];                         ///< of the rods' lines, see StringTuning
   double rho;                                       ///< reflection from rod to sleeve
   alignas(32) double sleeve[kMaxRods][kMaxSleeve];  ///< upward wave in every sleeve, next out first
 

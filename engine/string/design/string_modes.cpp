@@ -56,12 +56,21 @@ double phase_delay(const Thiran& s, double omega) {
   return 2 - 2 * dsp::atan2(im, re) / omega;
 }
 
+/// The same of the rods' interpolator.
+double phase_delay(const Lagrange& s, double omega) {
+  const double re = s.tap[1] + (s.tap[0] + s.tap[2]) * dsp::cos(omega);
+  const double im = (s.tap[2] - s.tap[0]) * dsp::sin(omega);
+  return 1 + dsp::atan2(im, re) / omega;
+}
+
 std::vector<Section> played_sections(const StringTuning& tuning, double omega) {
   std::vector<Section> sections;
   for (int j = 0; j <= tuning.joints; ++j) {
-    const double head = j == 0 ? 1 + phase_delay(thiran(tuning.head_delay), omega) : 0;
+    const double beyond = j == 0                 ? 1 + phase_delay(thiran(tuning.head_delay), omega)
+                          : tuning.has_fractions ? phase_delay(lagrange(tuning.fraction[j]), omega)
+                                                 : 0;
     if (j > 0) sections.push_back({tuning.sleeve_impedance, tuning.sleeve_steps * kSleeveStep / 2.0});
-    sections.push_back({1, (tuning.delay[j] + head) / 2});
+    sections.push_back({1, (tuning.delay[j] + beyond) / 2});
   }
   return sections;
 }
@@ -88,10 +97,14 @@ std::vector<double> roots(const Function& f, double step, double highest) {
 
 double cents(double a, double b) { return 1200 / dsp::kLn2 * dsp::log(a / b); }
 
-/// Decay of a free string, whose only loss is the reflection at the shank.
+/// Decay of a free string: what a round trip loses at the shank, and to the rods' fractions of a sample.
 double string_t60_s(const StringTuning& tuning, double omega, double sample_rate) {
-  const double gain = tuning.loss_middle + 2 * tuning.loss_side * dsp::cos(omega);
-  return kLn1000 * tuning.round_trip() / (-dsp::log(gain) * sample_rate);
+  double log_gain = dsp::log(tuning.loss_middle + 2 * tuning.loss_side * dsp::cos(omega));
+  for (int j = 1; j <= tuning.joints; ++j) {
+    const double d2 = tuning.fraction[j] * tuning.fraction[j], rest = 1 - dsp::cos(omega);
+    log_gain += dsp::log(1 - d2 * (1 - d2) * rest * rest) / 2;
+  }
+  return kLn1000 * tuning.round_trip() / (-log_gain * sample_rate);
 }
 
 void add_longitudinal(const StringModel& model, double sample_rate, std::vector<StringMode>& modes) {

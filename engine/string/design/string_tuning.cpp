@@ -11,6 +11,10 @@ namespace rigsound::string {
 namespace {
 
 constexpr double kLow_hz = 500, kHigh_hz = 5000;  // where the decay times of the model hold
+constexpr double kFraction_hz = 4500;             // and fractions of a sample
+// Fractions cost the more the more rods there are, and matter the less the longer these are.
+constexpr int kFewRods = 6;
+constexpr double kShortRod_m = 2.5;
 
 /// A sleeve on the grid, and how much longer or shorter that leaves the rods around it, round trip samples.
 /// With impedance z and round trip t, z t is its mass and t / z its compliance: both are kept.
@@ -30,6 +34,34 @@ int block_within(const StringTuning& tuning) {
   return kChunk <= shortest ? kChunk : 2 * step <= shortest ? 2 * step : step;
 }
 
+/// A shank too short for the grid borrows from the rods below it.
+void place_head(double head, StringTuning& tuning) {
+  const int least = kSleeveStep * tuning.sleeve_steps;
+  for (int j = 1; j <= tuning.joints; ++j)
+    while (head < least + 2.5 && tuning.delay[j] > least) ++head, --tuning.delay[j];
+  head = std::max(head, least + 2.5);
+  tuning.delay[0] = static_cast<int>(std::floor(head - 2.5));
+  tuning.head_delay = head - 1 - tuning.delay[0];
+}
+
+/// Fraction that makes the interpolator's delay 1 + `wanted` where it matters most, not at 0 Hz.
+double fraction_for(double wanted, double sample_rate) {
+  const double omega = dsp::kTwoPi * kFraction_hz / sample_rate, t = dsp::tan(wanted * omega);
+  const double s = dsp::sin(omega), rest = 1 - dsp::cos(omega);
+  return 2 * t / (s + std::sqrt(s * s + 4 * t * t * rest));
+}
+
+/// Every rod's own length.
+void place_fractions(const double* wanted, double sample_rate, StringTuning& tuning) {
+  for (int j = 1; j <= tuning.joints; ++j) {
+    const double whole = std::floor(wanted[j] + 0.5);
+    tuning.delay[j] = std::max(kSleeveStep * tuning.sleeve_steps, static_cast<int>(whole) - 1);
+    tuning.fraction[j] = fraction_for(wanted[j] - whole, sample_rate);
+  }
+  tuning.has_fractions = true;
+  place_head(wanted[0], tuning);
+}
+
 /// From the bit up, so that the fraction of a sample is left to the shank.
 void place_lines(const double* wanted, StringTuning& tuning) {
   const int least = kSleeveStep * tuning.sleeve_steps;
@@ -39,13 +71,7 @@ void place_lines(const double* wanted, StringTuning& tuning) {
     tuning.delay[j] = std::max(least, static_cast<int>(std::floor(here + 0.5)));
     carried = here - tuning.delay[j];
   }
-  double head = wanted[0] + carried;
-  // A shank too short for the grid borrows from the rods below it.
-  for (int j = 1; j <= tuning.joints; ++j)
-    while (head < least + 2.5 && tuning.delay[j] > least) ++head, --tuning.delay[j];
-  head = std::max(head, least + 2.5);
-  tuning.delay[0] = static_cast<int>(std::floor(head - 2.5));
-  tuning.head_delay = head - 1 - tuning.delay[0];
+  place_head(wanted[0] + carried, tuning);
 }
 
 /// Gains of the reflection at both reference frequencies give a zero-phase filter of three taps; its gain may
@@ -75,13 +101,15 @@ double rod_impedance(const StringModel& model) noexcept {
 
 double StringTuning::round_trip() const noexcept {
   double sum = 1 + head_delay + joints * sleeve_steps * kSleeveStep;
-  for (int j = 0; j <= joints; ++j) sum += delay[j];
+  for (int j = 0; j <= joints; ++j) sum += delay[j] + (has_fractions && j > 0 ? 1 + fraction[j] : 0);
   return sum;
 }
 
 Thiran thiran(double delay) noexcept {
   return {-2 * (delay - 2) / (delay + 1), (delay - 2) * (delay - 1) / ((delay + 1) * (delay + 2))};
 }
+
+Lagrange lagrange(double d) noexcept { return {{d * (d - 1) / 2, 1 - d * d, d * (d + 1) / 2}}; }
 
 StringTuning tune_string(const StringModel& model, int rods, double sample_rate) {
   StringTuning tuning;
@@ -96,7 +124,11 @@ StringTuning tune_string(const StringModel& model, int rods, double sample_rate)
     wanted[j] = round_trip_samples(is_shank ? model.shank_length_m : model.rod_length_m, sample_rate) +
                 beside * (rods_gain - sleeve);
   }
-  place_lines(wanted, tuning);
+  // Without sleeves it does not matter where a rod ends.
+  if (model.sleeve_impedance > 1 && (rods <= kFewRods || model.rod_length_m < kShortRod_m))
+    place_fractions(wanted, sample_rate, tuning);
+  else
+    place_lines(wanted, tuning);
   tuning.block = block_within(tuning);
   place_losses(model, sample_rate, tuning);
   return tuning;

@@ -16,7 +16,11 @@ constexpr double kDensity = 7850;        ///< steel, kg/m^3
 struct StringTuning {
   int joints = 0;             ///< sleeves; joint j lies between line j and line j + 1
   int delay[kMaxLines] = {};  ///< round trips, whole samples, the shank's first
-  int block = kSleeveStep;    ///< samples that can be computed line by line: a chunk, two sleeves or one
+  // What is beyond: taps[0] x[n] + taps[1] x[n-1] + taps[2] x[n-2] delays the rods' waves by 1 + fraction
+  // more.
+  bool has_fractions = false;
+  double fraction[kMaxLines] = {};  ///< -0.5...0.5, no line's but a rod's
+  int block = kSleeveStep;  ///< samples that can be computed line by line: a chunk, two sleeves or one
   int sleeve_steps = 1;
   double sleeve_impedance = 1;  ///< of a sleeve that long with the mass and compliance of the real one
   double head_delay = 2;        ///< 1.5...2.5 samples, a second-order Thiran allpass at the shank's free end
@@ -39,6 +43,13 @@ double round_trip_samples(double length_m, double sample_rate) noexcept;
 
 /// Wave impedance of the rod A sqrt(E rho), kg/s.
 double rod_impedance(const StringModel& model) noexcept;
+
+/// Lagrange's interpolator of second order: 1 + fraction samples at 0 Hz, never louder than its input, since
+/// |H|^2 = 1 - fraction^2 (1 - fraction^2) (1 - cos w)^2.
+struct Lagrange {
+  double tap[3];
+};
+Lagrange lagrange(double fraction) noexcept;
 
 /// The second-order Thiran allpass (a2 + a1 z^-1 + z^-2) / (1 + a1 z^-1 + a2 z^-2), its delay flat at 0 Hz.
 struct Thiran {
