@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "rigsound/dsp/elementary.hpp"
+
 namespace rigsound::string {
 namespace {
 
@@ -19,7 +21,7 @@ int longest_delay(const std::vector<StringTuning>& tunings) noexcept {
 }  // namespace
 
 LongitudinalString::LongitudinalString(const StringModel& model, double sample_rate, LaneWidth width)
-    : kernel_(string_kernel(width)) {
+    : kernel_(string_kernel(width)), guided_samples_(model.guided_s * sample_rate) {
   for (int rods = 1; rods <= kMaxRods; ++rods) tunings_.push_back(tune_string(model, rods, sample_rate));
   stride_ = longest_delay(tunings_) + kBehind + kSlack;
   memory_.assign(static_cast<std::size_t>(stride_) * kMaxLines, 0.0);
@@ -28,6 +30,7 @@ LongitudinalString::LongitudinalString(const StringModel& model, double sample_r
 }
 
 void LongitudinalString::restring(int rods) noexcept {
+  rods_ = rods;
   const StringTuning& tuning = tunings_[rods - 1];
   state_.joints = tuning.joints;
   state_.cut = -1;
@@ -40,12 +43,24 @@ void LongitudinalString::restring(int rods) noexcept {
     std::copy(std::begin(taps.tap), std::end(taps.tap), state_.tap[j]);
   }
   state_.rho = tuning.reflection();
-  state_.loss_middle = tuning.loss_middle, state_.loss_side = tuning.loss_side;
+  place_losses();
   const auto [a1, a2] = thiran(tuning.head_delay);
   state_.a1 = a1, state_.a2 = a2;
   block_ = tuning.block;
   sleeve_impedance_ = tuning.sleeve_impedance;
   silence();
+}
+
+void LongitudinalString::set_contact(double contact) noexcept {
+  if (contact == contact_) return;
+  contact_ = contact;
+  place_losses();
+}
+
+void LongitudinalString::place_losses() noexcept {
+  const StringTuning& tuning = tunings_[rods_ - 1];
+  const double held = dsp::exp(-3 * dsp::kLn10 * contact_ * tuning.round_trip() / guided_samples_);
+  state_.loss_middle = tuning.loss_middle * held, state_.loss_side = tuning.loss_side * held;
 }
 
 void LongitudinalString::part() noexcept {

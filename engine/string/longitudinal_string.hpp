@@ -23,6 +23,9 @@ class LongitudinalString {
   /// The string parts in the middle; both parts have free ends there until restring(). Thread: RT.
   void part() noexcept;
 
+  /// 0...1: how hard chuck and guides hold the string. Thread: RT.
+  void set_contact(double contact) noexcept;
+
   /// kChunk samples. Thread: RT.
   void process(const LinesDrive& drive) noexcept;
 
@@ -35,11 +38,15 @@ class LongitudinalString {
 
  private:
   void make_room() noexcept;
+  void place_losses() noexcept;
 
   StringKernel kernel_;
   std::vector<StringTuning> tunings_;  ///< of 1...kMaxRods rods
   std::vector<double> memory_;         ///< of all lines, stride_ each
   int stride_;
+  double guided_samples_;  ///< T60
+  double contact_ = 0;
+  int rods_ = 1;
   int block_ = kSleeveStep;
   double sleeve_impedance_ = 1;
   LinesState state_{};

@@ -209,7 +209,7 @@ void lines(LinesState& s, const LinesDrive& drive, int from, int frames) noexcep
 template <int U>
 struct Modes {
   Modes(const ModesState& s, int first) {
-#pragma GCC unroll 4
+#pragma GCC unroll 5
     for (int u = 0; u < U; ++u) {
       const int k = first + kGroup * u;
       a1[u] = load(s.a1 + k), b2[u] = V{} - load(s.b2 + k), in[u] = load(s.in + k);
@@ -218,7 +218,7 @@ struct Modes {
   }
 
   void keep(ModesState& s, int first) const {
-#pragma GCC unroll 4
+#pragma GCC unroll 5
     for (int u = 0; u < U; ++u)
       store(s.y1 + first + kGroup * u, y1[u]), store(s.y2 + first + kGroup * u, y2[u]);
   }
@@ -230,7 +230,7 @@ struct Modes {
     for (int n = from; n < to; n += 2) {
       V even = kFirst ? V{} : load_aligned(sum + kGroup * n),
         odd = kFirst ? V{} : load_aligned(sum + kGroup * n + kGroup);
-#pragma GCC unroll 4
+#pragma GCC unroll 5
       for (int u = 0; u < U; ++u) {
         y2[u] = b2[u] * y2[u] + a1[u] * y1[u];
         if (kDriven) y2[u] += in[u] * x[n];
@@ -266,6 +266,7 @@ void run_groups(ModesState& s, const ModesDrive& drive, int first, double* sum) 
 template <int kFirst>
 int run_some(ModesState& s, const ModesDrive& drive, int group, double* sum) {
   const int left = s.groups - group, first = kGroup * group;
+  if (left == 5) return run_groups<5, kFirst>(s, drive, first, sum), 5;
   if (left >= 4) return run_groups<4, kFirst>(s, drive, first, sum), 4;
   if (left == 3) return run_groups<3, kFirst>(s, drive, first, sum), 3;
   if (left == 2) return run_groups<2, kFirst>(s, drive, first, sum), 2;

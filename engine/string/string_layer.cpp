@@ -106,6 +106,7 @@ void StringLayer::follow(const StringInput& input) noexcept {
   contact_ = dsp::step_towards(contact_, broken_ ? 0 : input.contact, contact_step_);
   loading_samples_ += (impedance_ / input.rock_stiffness - loading_samples_) * loading_share_;
   bending_.set(exposed_m_, contact_);
+  string_.set_contact(contact_);
   string_.bit().set_loading(loading_samples_);
   // With half the feed a mean blow's pulse just closes the gap.
   string_.bit().set_gap(contact_ > 0 ? width_samples_ * (1 - contact_) / contact_ : -1);

@@ -23,9 +23,11 @@ struct StringModel {
   double sleeve_impedance = 1.6;  ///< of the rod's, 1...2.5; 1: no sleeves
   double sleeve_length_m = 0.2;   ///< 0.15...0.25
 
-  double string_low_s = 1.5;     ///< longitudinal waves of the free string at 500 Hz, 0.02...30
-  double string_high_s = 0.6;    ///< at 5 kHz, 0.02...string_low_s; a long string may ring longer than that
-  double bending_low_s = 2.5;    ///< bending of the free rod at 200 Hz, 0.02...30
+  double string_low_s = 1.5;   ///< longitudinal waves of the free string at 500 Hz, 0.02...30
+  double string_high_s = 0.6;  ///< at 5 kHz, 0.02...string_low_s; a long string may ring longer than that
+  double guided_s = 0.25;      ///< what the waves of a string lose to chuck and guides while the feed presses
+                               ///< it, if that were all, 0.02...30
+  double bending_low_s = 2.5;  ///< bending of the free rod at 200 Hz, 0.02...30
   double bending_high_s = 0.6;   ///< at 8 kHz, 0.02...bending_low_s
   double contact_low_s = 0.25;   ///< bending while the feed presses the bit onto the rock, 200 Hz,
                                  ///< 0.02...bending_low_s
@@ -38,9 +40,9 @@ struct StringModel {
   double bounce_ratio = 0.3;         ///< amplitude against the one before, 0...1
   double snap_db = 18;               ///< of the pulse of a breaking rod over a mean blow's, 0...30
 
-  double string_mix = 0.5, bending_mix = 0.5;  ///< linear weights, 0...10
-  double highpass_hz = 300;                    ///< -6.02 dB point of a first-order high-pass, 10...8000
-  double level = 0.05;                         ///< linear, of everything, 0...10
+  double string_mix = 1, bending_mix = 0.15;  ///< linear weights, 0...10
+  double highpass_hz = 300;                   ///< -6.02 dB point of a first-order high-pass, 10...8000
+  double level = 0.06;                        ///< linear, of everything, 0...10
 };
 
 /// Refuses nonsense, so that nothing can go wrong while the string plays. Throws std::invalid_argument with

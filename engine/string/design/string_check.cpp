@@ -29,6 +29,7 @@ void check_decays(const StringModel& m) {
   require(between(m.string_low_s, 0.02, 30), "string_low_s: out of range, expected 0.02...30 s");
   require(between(m.string_high_s, 0.02, m.string_low_s),
           "string_high_s: out of range, expected 0.02 s...string_low_s");
+  require(between(m.guided_s, 0.02, 30), "guided_s: out of range, expected 0.02...30 s");
   require(between(m.bending_low_s, 0.02, 30), "bending_low_s: out of range, expected 0.02...30 s");
   require(between(m.bending_high_s, 0.02, m.bending_low_s),
           "bending_high_s: out of range, expected 0.02 s...bending_low_s");

@@ -203,6 +203,7 @@ double largest_string_growth(const StringModel& model, int chunks, tool::LaneWid
     const double kind = random.uniform(n, 0);
     line.bit().set_loading(dsp::exp(8 * random.uniform(n, 1) - 4));
     line.bit().set_gap(kind < 0.3 ? 0 : kind < 0.5 ? -1 : 10 * random.uniform(n, 2));
+    line.set_contact(random.uniform(n, 4));
     if (i % 50 == 20) line.part();
     if (i % 50 == 49) line.restring(1 + static_cast<int>(3 * random.uniform(n, 3))), before = 0;
     line.process({hit ? in : none, none, heard});
