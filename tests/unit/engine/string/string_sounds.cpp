@@ -4,7 +4,7 @@
 #include <cmath>
 #include <complex>
 
-#include "engine/sound_levels.hpp"
+#include "engine/tool/sound_levels.hpp"
 #include "rigsound/dsp/random.hpp"
 
 namespace rigsound::tests {
