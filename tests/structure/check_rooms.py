@@ -124,7 +124,7 @@ def of_library(name, where):
 
 def complaint(name, system, where, root, public, private):
     module = module_of(where)
-    if (root / where).parent.joinpath(name).exists():  # beside the source
+    if (root / where).parent.joinpath(name).is_file():  # beside the source
         return inside_engine(name, where) if module == 'engine' else None
     if name in public:
         return of_module(public[name], name, where, private=False)
