@@ -12,7 +12,8 @@ bool Range::holds(double x) const noexcept {
 }
 
 std::string Range::text() const {
-  std::string text = (zero ? "0 or " : "") + number_text(min) + "..." + number_text(max);
+  std::string text =
+      (zero && (min > 0 || max < 0) ? "0 or " : "") + number_text(min) + "..." + number_text(max);
   if (*unit != '\0') text.append(" ").append(unit);
   if (step > 1) text += ", a multiple of " + number_text(step);
   return text;

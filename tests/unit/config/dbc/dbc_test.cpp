@@ -232,13 +232,13 @@ TEST_CASE("real files: every message and signal their lines declare") {
     CHECK(dbc.messages.size() == messages);
     CHECK(found == signals);
   }
-  const config::Dbc j1939 = config::load_dbc(folder / "j1939.dbc");
+  const config::Dbc j1939 = config::load_dbc(*folder / "j1939.dbc");
   CHECK(j1939.find("EEC1")->j1939);
   CHECK(j1939.find("EEC1")->id == 0x0CF00400);
   const config::DbcSignal& speed = signal(j1939, "EEC1", "EngSpeed");
   CHECK(speed.layout.field.start_bit == 24);
   CHECK(speed.layout.scale == 0.125);
-  const config::Dbc body = config::load_dbc(folder / "comma_body.dbc");
+  const config::Dbc body = config::load_dbc(*folder / "comma_body.dbc");
   can::Frame frame;
   frame.size = 8;
   frame.data = {0xFE, 0x0C, 0x01, 0xF4};

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "config/sound_set/example_bank.hpp"
 #include "rigsound/config/background_files.hpp"
 #include "rigsound/config/bank_files.hpp"
@@ -43,7 +45,7 @@ TEST_CASE("a merged index keeps comments and hand edits and adds only what is ne
 
   more = {};
   more.rocks = {{"granite"}};
-  more.banks.push_back({"b", Situation::kOverfeed, 3, "granite", 1.25, 0});
+  more.banks.push_back({"b", Situation::kOverfeed, 3, "granite", 0, 0, 1.25, 0});
   config::merge_index(set.path, more);
   CHECK(content(file).substr(0, text.size()) == text);
   const config::SoundSetIndex index = config::load_index(set.path);
@@ -60,7 +62,7 @@ TEST_CASE("a sound set loads at the engine's rate, each bank once, its trims add
   config::save_bank(set.path, example_bank("b", 48000), {});
   config::SoundSetIndex index = five_situations("a");
   index.rocks = {{"granite"}, {"limestone", 3e8}};
-  index.banks.push_back({"b", Situation::kNormal, 2, "limestone", -4, 0});
+  index.banks.push_back({"b", Situation::kNormal, 2, "limestone", 0, 0, -4, 0});
   ToolModel tool;
   tool.name = "hex25";
   tool.bar.length_m = 0.45;
@@ -100,7 +102,11 @@ TEST_CASE("a sound set that cannot be played says what is wrong and where") {
   const auto load = [&] { config::load_sound_set(set.path, 48000); };
   CHECK(complaint(load) == file + ": cannot be opened, expected a readable file");
   config::merge_index(set.path, five_situations("missing"));
-  CHECK(complaint(load).find(":19: bank.name: there is no folder ") != std::string::npos);
+  const std::string text = content(set.path / "soundset.toml");
+  const auto line =
+      1 + std::count(text.begin(), text.begin() + static_cast<int>(text.find("name = \"missing")), '\n');
+  CHECK(complaint(load).find(":" + std::to_string(line) + ": bank.name: there is no folder ") !=
+        std::string::npos);
   set.write("soundset.toml", "format = 1\n[[bank]]\nname = \"a\"\nsituation = \"normal\"\n");
   CHECK(complaint(load).find("no bank serves the situation underfeed") != std::string::npos);
   set.write("soundset.toml", "format = 1\n[[bank]]\nname = \"a\"\nsituaton = \"normal\"\n");
