@@ -26,7 +26,7 @@ struct Options {
 void render(config::Rig& rig, audio::StateSource& states, audio::SampleFormat samples,
             const std::string& out) {
   SoundSet sounds = config::load_sounds(rig);
-  const bool stand_in = sounds.diesels.front().name == kDefaultDiesel;
+  const bool built_in_diesel = sounds.diesels.front().name == kDefaultDiesel;
   Engine engine = config::build_engine(rig, std::move(sounds));
   Sha256 digest;
   const audio::WavSink::Format format{static_cast<int>(rig.engine.sample_rate), rig.engine.channels,
@@ -39,8 +39,9 @@ void render(config::Rig& rig, audio::StateSource& states, audio::SampleFormat sa
   sink.commit();
   const double length_s = static_cast<double>(blocks) * rig.engine.block / rig.engine.sample_rate;
   fmt::print("sha256 {}\nrealtime_factor {:.2f}\n", digest.hex(), length_s / spent.count());
-  if (stand_in)
-    fmt::print(stderr, "{}: holds no background, the built-in diesel stands in\n", rig.sound_set.string());
+  if (built_in_diesel)
+    fmt::print(stderr, "{}: no background model in the sound set; using the built-in diesel\n",
+               rig.sound_set.string());
 }
 
 void render_log(const Options& options) {

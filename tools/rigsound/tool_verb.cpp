@@ -37,10 +37,10 @@ void report(const analysis::ToolFit& fit) {
   if (fit.estimated)
     fmt::print(stderr, "steel estimated from {} modes: {:.3f} m x {:.1f} mm\n", fit.matched_modes,
                fit.model.bar.length_m, 1000 * fit.model.bar.diameter_m);
-  fmt::print(
-      stderr,
-      "blow at {:.3f} s, {:.0f} ms: third-octave error {:.2f} dB on average, {:.2f} dB at worst ({} bands)\n",
-      fit.onset_s, 1000 * fit.length_s, fit.mean_error_db, fit.worst_error_db, fit.bands.size());
+  fmt::print(stderr,
+             "impact at {:.3f} s, {:.0f} ms: third-octave error {:.2f} dB on average, {:.2f} dB at worst ({} "
+             "bands)\n",
+             fit.onset_s, 1000 * fit.length_s, fit.mean_error_db, fit.worst_error_db, fit.bands.size());
 }
 
 nlohmann::ordered_json fit_json(const analysis::ToolFit& fit) {
@@ -145,7 +145,7 @@ void add_tool(cli::Verb& program) {
   const cli::Option diameter = verb.option("--diameter", o->diameter_m, "of the steel, m (0.010...0.080)");
   const cli::Option from =
       verb.option("--from", o->recording,
-                  "recorded blow to fit decays, shelf, high-pass, equaliser, mix and pulse "
+                  "recorded impact to fit decays, shelf, high-pass, equaliser, mix and pulse "
                   "width to; the steel is estimated from its modes where it is not given");
   verb.option("--rate", o->rate, "sample rate to design for, Hz").shows_default();
   verb.option("--model", o->model, "designed, or the jackhammer paper's own loops")
