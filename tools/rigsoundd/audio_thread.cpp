@@ -81,10 +81,7 @@ void AudioThread::render_run() {
   while (!stop_.load(std::memory_order_relaxed) && !next_engine_.offered()) {
     const auto begin = SteadyClock::now();
     const MachineState& state = states_.at(monotonic_s());
-    if (number == 0 || state != told_.state) {
-      told_ = {RunRecord::Kind::kChange, run, number, state, 0};
-      tell(told_);
-    }
+    if (reporter_.report(run, number, state)) heard_.write(state);
     engine_->process(state, block_.data());
     measure(static_cast<std::uint64_t>(
         std::chrono::duration_cast<std::chrono::nanoseconds>(SteadyClock::now() - begin).count()));
@@ -92,7 +89,7 @@ void AudioThread::render_run() {
     raise<std::uint64_t>(figures_.blocks, 1);
     figures_.run_blocks.store(number, std::memory_order_release);
   }
-  tell({RunRecord::Kind::kEnd, run, number, {}, 0});
+  reporter_.report_end(run, number);
 }
 
 void AudioThread::measure(std::uint64_t spent_ns) noexcept {
@@ -105,12 +102,6 @@ void AudioThread::measure(std::uint64_t spent_ns) noexcept {
   figures_.rms.store(meters.rms, std::memory_order_relaxed);
   figures_.limiter_gain.store(meters.limiter_gain, std::memory_order_relaxed);
   figures_.lost_clicks.store(meters.lost_clicks, std::memory_order_relaxed);
-}
-
-void AudioThread::tell(RunRecord record) noexcept {
-  record.lost = figures_.lost_records.load(std::memory_order_relaxed);
-  if (record.kind == RunRecord::Kind::kChange) heard_.write(record.state);
-  if (!records_.try_enqueue(record)) raise<std::uint64_t>(figures_.lost_records, 1);
 }
 
 void AudioThread::replace_engine(std::unique_ptr<Engine> engine) {

@@ -45,17 +45,16 @@ class AudioThread {
   void begin_run();
   void render_run();
   void measure(std::uint64_t spent_ns) noexcept;
-  void tell(RunRecord record) noexcept;
 
   std::unique_ptr<Engine> engine_;
   std::vector<float> block_;  // a new engine's blocks are of the same size
   std::uint64_t deadline_ns_;
   audio::Sink& sink_;
   LiveStates states_;
-  RunRecord told_;
   mutable TripleBuffer<MachineState> heard_{MachineState{}};
   RunQueue records_{kRunQueueLength};
   AudioFigures figures_;
+  RunReporter reporter_{records_, figures_.lost_records};
   SwapSlot<Engine> next_engine_;
   std::atomic<bool> stop_{false}, ready_{false};
   std::string scheduling_;

@@ -3,6 +3,7 @@
 
 #include <readerwriterqueue/readerwriterqueue.h>
 
+#include <atomic>
 #include <cstdint>
 
 #include "rigsound/machine/machine_state.hpp"
@@ -22,5 +23,34 @@ struct RunRecord {
 /// Bounded: the audio thread drops records (and counts) rather than wait.
 using RunQueue = moodycamel::ReaderWriterQueue<RunRecord>;
 constexpr std::size_t kRunQueueLength = 8192;
+
+/// The audio thread's end of the queue. Thread: RT
+class RunReporter {
+ public:
+  /// `lost` counts the records that found the queue full.
+  RunReporter(RunQueue& records, std::atomic<std::uint64_t>& lost) : records_(records), lost_(lost) {}
+
+  /// `state` acts from `block` of `run` on. Makes a record, and returns true, for the first state of a run
+  /// and for one with a field that differs from the last.
+  bool report(std::uint32_t run, std::uint64_t block, const MachineState& state) noexcept {
+    if (block != 0 && state == last_) return false;
+    last_ = state;
+    enqueue({RunRecord::Kind::kChange, run, block, state, 0});
+    return true;
+  }
+  void report_end(std::uint32_t run, std::uint64_t block) noexcept {
+    enqueue({RunRecord::Kind::kEnd, run, block, {}, 0});
+  }
+
+ private:
+  void enqueue(RunRecord record) noexcept {
+    record.lost = lost_.load(std::memory_order_relaxed);
+    if (!records_.try_enqueue(record)) lost_.store(record.lost + 1, std::memory_order_relaxed);
+  }
+
+  RunQueue& records_;
+  std::atomic<std::uint64_t>& lost_;
+  MachineState last_;
+};
 
 }  // namespace rigsound::daemon
