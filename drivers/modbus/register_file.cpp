@@ -83,8 +83,7 @@ std::optional<Refusal> RegisterFile::check_values(const Exchange& change) const 
     if (route.table != change.table || !overlaps(route, range)) continue;
     if (!covers(range, route)) return Refusal::kValue;
     const double value = decode(route, &change.values[route.address - change.address]);
-    const SignalInfo& limits = info(route.target.signal);
-    if (!(value >= limits.min && value <= limits.max)) return Refusal::kValue;
+    if (!info(route.target.signal).takes(value)) return Refusal::kValue;
   }
   return std::nullopt;
 }

@@ -14,7 +14,7 @@
 namespace rigsound::modbus {
 
 /// Readable: from the first to the last address in use of each table (gaps read 0). Writable: exactly the
-/// addresses in use, whole values only, finite and in the signal's range. Values start at 0.
+/// addresses in use, whole values only, such that the signal takes (SignalInfo::takes). Values start at 0.
 class RegisterFile {
  public:
   explicit RegisterFile(const std::vector<RegisterRoute>& routes);

@@ -69,27 +69,34 @@ TEST_CASE("Random bytes never pass with more values than they carry") {
 }
 
 TEST_CASE("Reads may span the rig's addresses, writes must hit them whole and in range") {
-  const RegisterFile file({route(Signal::kFeedPressureBar, Table::kHolding, 10, WordType::kUint16),
-                           route(Signal::kEngineRpm, Table::kHolding, 12, WordType::kFloat32),
-                           route(Signal::kPercussion, Table::kCoil, 3)});
-  const auto judged = [&](const Pdu& pdu) {
+  const RegisterFile file(
+      {route(Signal::kFeedPressureBar, Table::kHolding, 10, WordType::kUint16),
+       route(Signal::kEngineRpm, Table::kHolding, 12, WordType::kFloat32),
+       route(Signal::kPercussion, Table::kCoil, 3), route(Signal::kPercussionRateHz, Table::kHolding, 20),
+       route(Signal::kRattling, Table::kHolding, 21, WordType::kUint16, WordOrder::kAbcd, 0.5)});
+  const auto checked = [&](const Pdu& pdu) {
     Request request;
     Exchange change;
     REQUIRE_FALSE(parse(pdu.data(), pdu.size(), request).has_value());
     return file.check(request, change);
   };
-  CHECK_FALSE(judged({3, 0, 10, 0, 4}).has_value());  // the gap at 11 reads 0
-  CHECK(judged({3, 0, 9, 0, 2}) == Refusal::kAddress);
-  CHECK(judged({3, 0, 13, 0, 2}) == Refusal::kAddress);
-  CHECK(judged({4, 0, 10, 0, 1}) == Refusal::kAddress);  // no input registers here
-  CHECK(judged({2, 0, 3, 0, 1}) == Refusal::kAddress);
-  CHECK_FALSE(judged({6, 0, 10, 0, 85}).has_value());
-  CHECK(judged({6, 0, 11, 0, 85}) == Refusal::kAddress);     // nothing lives in the gap
-  CHECK(judged({6, 0, 10, 1, 45}) == Refusal::kValue);       // 301 bar
-  CHECK(judged({6, 0, 12, 0x43, 0xF9}) == Refusal::kValue);  // half a float
-  CHECK_FALSE(judged({16, 0, 12, 0, 2, 4, 0x43, 0xF9, 0xB0, 0}).has_value());
-  CHECK(judged({16, 0, 12, 0, 2, 4, 0x7f, 0xc0, 0, 0}) == Refusal::kValue);  // NaN
-  CHECK(judged({16, 0, 12, 0, 2, 4, 0x7f, 0x80, 0, 0}) == Refusal::kValue);  // infinity
-  CHECK_FALSE(judged({5, 0, 3, 0xff, 0}).has_value());
-  CHECK(judged({5, 0, 4, 0xff, 0}) == Refusal::kAddress);
+  CHECK_FALSE(checked({3, 0, 10, 0, 4}).has_value());  // the gap at 11 reads 0
+  CHECK(checked({3, 0, 9, 0, 2}) == Refusal::kAddress);
+  CHECK(checked({3, 0, 21, 0, 2}) == Refusal::kAddress);
+  CHECK(checked({4, 0, 10, 0, 1}) == Refusal::kAddress);  // no input registers here
+  CHECK(checked({2, 0, 3, 0, 1}) == Refusal::kAddress);
+  CHECK_FALSE(checked({6, 0, 10, 0, 85}).has_value());
+  CHECK(checked({6, 0, 11, 0, 85}) == Refusal::kAddress);     // nothing lives in the gap
+  CHECK(checked({6, 0, 10, 1, 45}) == Refusal::kValue);       // 301 bar
+  CHECK(checked({6, 0, 12, 0x43, 0xF9}) == Refusal::kValue);  // half a float
+  CHECK_FALSE(checked({16, 0, 12, 0, 2, 4, 0x43, 0xF9, 0xB0, 0}).has_value());
+  CHECK(checked({16, 0, 12, 0, 2, 4, 0x7f, 0xc0, 0, 0}) == Refusal::kValue);  // NaN
+  CHECK(checked({16, 0, 12, 0, 2, 4, 0x7f, 0x80, 0, 0}) == Refusal::kValue);  // infinity
+  CHECK_FALSE(checked({5, 0, 3, 0xff, 0}).has_value());
+  CHECK(checked({5, 0, 4, 0xff, 0}) == Refusal::kAddress);
+  CHECK_FALSE(checked({6, 0, 20, 0, 40}).has_value());
+  CHECK_FALSE(checked({6, 0, 20, 0, 0}).has_value());   // 0 Hz: none given
+  CHECK(checked({6, 0, 20, 0, 4}) == Refusal::kValue);  // under 5 Hz
+  CHECK_FALSE(checked({6, 0, 21, 0, 2}).has_value());   // 1: closed
+  CHECK(checked({6, 0, 21, 0, 3}) == Refusal::kValue);  // 1.5 is no word
 }
