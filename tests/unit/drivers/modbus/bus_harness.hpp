@@ -13,18 +13,23 @@
 
 namespace rigsound::modbus {
 
-class Told : public BusListener {
+class Told : public BusListener, public ModbusTap {
  public:
   void readings(const Reading* first, std::size_t count) override {
     const std::lock_guard<std::mutex> lock(mutex_);
     for (const Reading* r = first; r != first + count; ++r) latest_[r->id.signal] = *r;
     total_ += count;
   }
+  void traffic(const Exchange* first, std::size_t count) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    exchanges_.insert(exchanges_.end(), first, first + count);
+  }
   void up() override { add(ups_); }
   void down(const std::string& why) override { add(downs_, why); }
   void notice(const std::string& text) override { add(notices_, text); }
 
   std::size_t total() const { return get(total_); }
+  std::vector<Exchange> exchanges() const { return get(exchanges_); }
   int ups() const { return get(ups_); }
   int downs() const { return get(downs_); }
   int notices() const { return get(notices_); }
@@ -51,6 +56,7 @@ class Told : public BusListener {
   mutable std::mutex mutex_;
   std::map<Signal, Reading> latest_;
   std::size_t total_ = 0;
+  std::vector<Exchange> exchanges_;
   int ups_ = 0, downs_ = 0, notices_ = 0;
   std::string text_;
 };

@@ -26,7 +26,7 @@ struct Served {
         route(Signal::kFeedPressureBar, Table::kHolding, 0, WordType::kUint16, WordOrder::kAbcd, 0.1),
         route(Signal::kEngineRpm, Table::kHolding, 2, WordType::kFloat32),
         route(Signal::kPercussion, Table::kCoil, 0), route(Signal::kRodCount, Table::kHolding, 4)};
-    server = std::make_unique<TcpServer>(options, told, nullptr);
+    server = std::make_unique<TcpServer>(options, told, &told);
     server->step();  // starts to listen
     REQUIRE(server->port() != 0);
     running = std::make_unique<Running>(*server);
@@ -72,6 +72,12 @@ TEST_CASE("Every writing function changes state, every reading one shows it") {
   const Context c = s.client();
   REQUIRE(modbus_write_register(c.get(), 0, 855) == 1);
   await([&] { return s.told.of(Signal::kFeedPressureBar).value == doctest::Approx(85.5); });
+  const std::vector<Exchange> recorded = s.told.exchanges();
+  REQUIRE(recorded.size() == 1);
+  CHECK(recorded[0].written);
+  CHECK(recorded[0].table == Table::kHolding);
+  CHECK(recorded[0].address == 0);
+  CHECK(recorded[0].values == std::vector<std::uint16_t>{855});
   const std::uint16_t rpm[] = {0x43F9, 0xB000};
   REQUIRE(modbus_write_registers(c.get(), 2, 2, rpm) == 2);
   await([&] { return s.told.of(Signal::kEngineRpm).value == 499.375; });
