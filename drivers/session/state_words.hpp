@@ -8,7 +8,7 @@
 
 namespace rigsound::session {
 
-#define RIGSOUND_ONE(...) +1
+#define RIGSOUND_ONE(...) +1  // NOLINT(bugprone-macro-parentheses): a term of a sum
 constexpr int kWordsPerBoom = 0 RIGSOUND_BOOM_SIGNALS(RIGSOUND_ONE) RIGSOUND_DRILL_CONTROLS(RIGSOUND_ONE);
 constexpr int kStateWords =
     2 RIGSOUND_RIG_SIGNALS(RIGSOUND_ONE) + kMaxBooms * kWordsPerBoom;  // 2: slope, gain
