@@ -1,5 +1,6 @@
 #include "rigsound/session/session_states.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -65,6 +66,10 @@ SessionHeader parse_header(const std::string& file, const std::string& bytes, st
   return h;
 }
 
+bool get_masks(std::string_view& in, WordMasks& masks) {
+  return std::all_of(masks.begin(), masks.end(), [&](std::uint64_t& mask) { return get_varint(in, mask); });
+}
+
 }  // namespace
 
 SessionStates::SessionStates(const std::filesystem::path& file) {
@@ -81,10 +86,11 @@ void SessionStates::read_chunks(const std::string& bytes, std::size_t at) {
   std::uint64_t block = 0, blocks = 0;
   std::string_view payload;
   while (read_chunk(bytes, at, blocks, payload)) {
-    std::uint64_t step = 0, mask = 0;
-    while (!payload.empty() && get_varint(payload, step) && get_varint(payload, mask)) {
+    std::uint64_t step = 0;
+    WordMasks changed{};
+    while (get_varint(payload, step) && get_masks(payload, changed)) {
       for (std::size_t i = 0; i < words.size(); ++i)
-        if ((mask >> i & 1) != 0) get_u32(payload, words[i]);
+        if (has(changed, i)) get_u32(payload, words[i]);
       block += step;
       changes_.push_back({block, session::state_of(words)});
     }

@@ -35,13 +35,13 @@ SessionWriter::SessionWriter(fs::path file, const SessionHeader& header)
 
 void SessionWriter::add(std::uint64_t block, const MachineState& state) {
   const StateWords words = words_of(state);
-  std::uint64_t mask = 0;
+  WordMasks changed{};
   for (std::size_t i = 0; i < words.size(); ++i)
-    if (words[i] != last_words_[i]) mask |= std::uint64_t{1} << i;
+    if (words[i] != last_words_[i]) mark(changed, i);
   put_varint(changes_, block - last_block_);
-  put_varint(changes_, mask);
+  for (const std::uint64_t mask : changed) put_varint(changes_, mask);
   for (std::size_t i = 0; i < words.size(); ++i)
-    if ((mask >> i & 1) != 0) put_u32(changes_, words[i]);
+    if (has(changed, i)) put_u32(changes_, words[i]);
   last_words_.assign(words.begin(), words.end());
   last_block_ = block;
 }

@@ -15,6 +15,11 @@ constexpr int kStateWords =
 #undef RIGSOUND_ONE
 using StateWords = std::array<std::uint32_t, kStateWords>;
 
+/// Which of the words: word i is bit i % 64 of mask i / 64.
+using WordMasks = std::array<std::uint64_t, (kStateWords + 63) / 64>;
+inline bool has(const WordMasks& masks, std::size_t i) { return (masks[i / 64] >> i % 64 & 1) != 0; }
+inline void mark(WordMasks& masks, std::size_t i) { masks[i / 64] |= std::uint64_t{1} << i % 64; }
+
 /// Thread: RT.
 StateWords words_of(const MachineState& state) noexcept;
 MachineState state_of(const StateWords& words) noexcept;

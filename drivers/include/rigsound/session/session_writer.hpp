@@ -12,7 +12,7 @@
 
 namespace rigsound::session {
 
-constexpr int kSessionFormat = 2;  ///< 2: speed with its slope, one output gain
+constexpr int kSessionFormat = 3;  ///< 3: more signals than one mask of 64 bits holds
 
 /// What must be the same for the same samples to come out.
 struct SessionHeader {
