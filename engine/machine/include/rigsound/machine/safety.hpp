@@ -10,7 +10,7 @@
 
 namespace rigsound {
 
-#define RIGSOUND_ONE(...) +1
+#define RIGSOUND_ONE(...) +1  // NOLINT(bugprone-macro-parentheses): a term of a sum
 constexpr int kSignalCount = 0 RIGSOUND_RIG_SIGNALS(RIGSOUND_ONE) RIGSOUND_BOOM_SIGNALS(RIGSOUND_ONE);
 #undef RIGSOUND_ONE
 
