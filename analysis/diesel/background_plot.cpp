@@ -4,88 +4,115 @@
 
 #include <cmath>
 
+#include "chart/plot.hpp"
+#include "chart/svg_canvas.hpp"
 #include "diesel/compared_cycles.hpp"
 #include "diesel/order_spectrum.hpp"
-#include "diesel/svg_chart.hpp"
 #include "rigsound/file/atomic_file.hpp"
 
 namespace rigsound::analysis {
 namespace {
 
-constexpr double kWidth = 620, kHeight = 300, kHighest_hz = 10000;
-constexpr int kSpectrumCycles = 8, kPlayedCycles = 120;
-constexpr const char *kRecorded = "#1f4e8c", *kModelled = "#c8501e", *kOrders = "#9bbf9b";
+using chart::Paint, chart::Plot, chart::Role;
 
-ChartLine spectrum(const CyclicSound& s, const char* colour) {
+constexpr double kWidth = 620, kHeight = 300, kHead = 44, kLowest_hz = 20, kHighest_hz = 10000;
+constexpr int kSpectrumCycles = 8, kPlayedCycles = 120;
+// The recorded curve is the wide pale one behind the modelled one, so that both stay visible.
+constexpr double kRecordedWidth = 3, kModelledWidth = 1.1;
+const Paint kRecorded = Role::kSecond, kModelled = Role::kThird, kOrders{Role::kOnset, 0.45};
+
+struct Curve {
+  std::vector<double> x, y;
+};
+
+Curve spectrum(const CyclicSound& s) {
   const std::vector<double> power = order_spectrum(s.y, s.N, kSpectrumCycles);
-  ChartLine line{{}, {}, colour, 0.9, false};
+  Curve curve;
   for (std::size_t b = 1; b < power.size(); ++b) {
     const double f = static_cast<double>(b) / kSpectrumCycles * s.f0;
-    if (f < 20 || f > kHighest_hz) continue;
-    line.x.push_back(f), line.y.push_back(10 * std::log10(power[b] + 1e-20));
+    if (f < kLowest_hz || f > kHighest_hz) continue;
+    curve.x.push_back(f), curve.y.push_back(10 * std::log10(power[b] + 1e-20));
   }
-  return line;
+  return curve;
 }
 
-Chart spectrum_chart(const DieselPoint& point, const CyclicSound* recorded, const CyclicSound& model) {
-  Chart chart{fmt::format("{} at {:.0f} r/min: spectrum",
-                          std::filesystem::path(point.source).filename().string(), point.rpm),
-              "Hz",
-              "dB re full scale, 1/8 order",
-              20,
-              kHighest_hz,
-              -120,
-              -20,
-              true,
-              {20, 50, 100, 200, 500, 1000, 2000, 5000, 10000},
-              {-120, -100, -80, -60, -40, -20},
-              {},
-              {}};
-  ChartLine orders{{}, {}, kOrders, 1, true};
-  for (std::size_t k = 1; k <= point.orders.size() && static_cast<double>(k) * model.f0 < 400; ++k) {
-    orders.x.push_back(static_cast<double>(k) * model.f0);
-    orders.y.push_back(10 * std::log10(0.5 * static_cast<double>(std::norm(point.orders[k - 1])) + 1e-20));
+/// Level of each order of the model below 400 Hz.
+Curve orders(const DieselPoint& point, double f0) {
+  constexpr double kHighestOrder_hz = 400;
+  Curve curve;
+  for (std::size_t k = 1; k <= point.orders.size() && static_cast<double>(k) * f0 < kHighestOrder_hz; ++k) {
+    curve.x.push_back(static_cast<double>(k) * f0);
+    curve.y.push_back(10 * std::log10(0.5 * static_cast<double>(std::norm(point.orders[k - 1])) + 1e-20));
   }
-  chart.lines.push_back(orders);
-  if (recorded) chart.lines.push_back(spectrum(*recorded, kRecorded));
-  chart.lines.push_back(spectrum(model, kModelled));
-  return chart;
+  return curve;
+}
+
+/// How far the model is from the recording.
+std::string merit(const CyclicSound* recorded, const CyclicSound& model) {
+  if (!recorded) return "no recording";
+  const Likeness off = likeness(*recorded, model, kHighest_hz);
+  return fmt::format("rms error: third octaves {:.1f} dB, cyclic envelope {:.1f} dB", off.third_octave_db,
+                     off.cyclic_envelope_db);
+}
+
+void draw_spectrum(chart::Canvas& canvas, const chart::Box& box, const DieselPoint& point,
+                   const CyclicSound* recorded, const CyclicSound& model) {
+  Plot plot(
+      canvas, box,
+      fmt::format("{} at {:.0f} r/min", std::filesystem::path(point.source).filename().string(), point.rpm),
+      chart::frequency_axis("frequency, Hz", kLowest_hz, kHighest_hz,
+                            {20, 50, 100, 200, 500, 1000, 2000, 5000, 10000}),
+      chart::linear_axis("dB re full scale, 1/8 order", -120, -20));
+  const Curve marked = orders(point, model.f0), modelled = spectrum(model);
+  plot.stems(marked.x, marked.y, {kOrders});
+  if (recorded) {
+    const Curve heard = spectrum(*recorded);
+    plot.line(heard.x, heard.y, {kRecorded, kRecordedWidth});
+  }
+  plot.line(modelled.x, modelled.y, {kModelled, 0.5 * kModelledWidth});
+  plot.legend(merit(recorded, model), Role::kGrey);
+  plot.finish();
 }
 
 /// One curve an octave, each a step above the one before.
-Chart envelope_chart(const CyclicSound* recorded, const CyclicSound& model) {
-  constexpr double kStep = 10;
-  Chart chart{"mean power over the cycle in octaves from ... on; a grid step is 10 dB",
-              "crank angle, degrees",
-              "",
-              0,
-              720,
-              -5,
-              5,
-              false,
-              {0, 90, 180, 270, 360, 450, 540, 630, 720},
-              {},
-              {},
-              {}};
-  const std::vector<double> edges = envelope_bands(std::min(kHighest_hz, 0.45 * model.N * model.f0));
-  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
-    const double base = kStep * static_cast<double>(i);
-    chart.y_ticks.push_back(base);
-    chart.y_names.push_back(fmt::format("{:g} Hz", edges[i]));
-    chart.y_to = base + kStep;
-    const auto add = [&](const CyclicSound& s, const char* colour) {
-      ChartLine line{{}, {}, colour, 1.2, false};
-      const std::vector<double> profile = cyclic_envelope(s, edges[i], edges[i + 1]);
+void draw_envelopes(chart::Canvas& canvas, const chart::Box& box, const CyclicSound* recorded,
+                    const CyclicSound& model) {
+  constexpr double kStep_db = 10;
+  const std::vector<double> bands = envelope_bands(std::min(kHighest_hz, 0.45 * model.N * model.f0));
+  const auto count = static_cast<double>(bands.size() - 1);
+  chart::Axis angle{"crank angle, degrees", 0, 720, chart::Axis::Scale::kLinear, {}},
+      octaves{
+          "octave from ... Hz", -0.5 * kStep_db, (count - 0.5) * kStep_db, chart::Axis::Scale::kLinear, {}};
+  for (int degrees = 0; degrees <= 720; degrees += 90)
+    angle.ticks.emplace_back(degrees, std::to_string(degrees));
+  for (std::size_t i = 0; i + 1 < bands.size(); ++i)
+    octaves.ticks.emplace_back(kStep_db * static_cast<double>(i), fmt::format("{:g}", bands[i]));
+  Plot plot(canvas, box, "Mean power over the cycle", angle, octaves);
+  const auto draw = [&](const CyclicSound& s, const chart::Pen& pen) {
+    for (std::size_t i = 0; i + 1 < bands.size(); ++i) {
+      const std::vector<double> profile = cyclic_envelope(s, bands[i], bands[i + 1]);
+      Curve curve;
       for (std::size_t slot = 0; slot < profile.size(); ++slot) {
-        line.x.push_back(720.0 * (static_cast<double>(slot) + 0.5) / kEnvelopeSlots);
-        line.y.push_back(base + 10 * std::log10(profile[slot] + 1e-6));
+        curve.x.push_back(720.0 * (static_cast<double>(slot) + 0.5) / kEnvelopeSlots);
+        curve.y.push_back(kStep_db * static_cast<double>(i) + 10 * std::log10(profile[slot] + 1e-6));
       }
-      chart.lines.push_back(line);
-    };
-    if (recorded) add(*recorded, kRecorded);
-    add(model, kModelled);
-  }
-  return chart;
+      plot.line(curve.x, curve.y, pen);
+    }
+  };
+  if (recorded) draw(*recorded, {kRecorded, kRecordedWidth});
+  draw(model, {kModelled, kModelledWidth});
+  plot.legend(fmt::format("a step of the grid is {:.0f} dB", kStep_db), Role::kGrey);
+  plot.finish();
+}
+
+void draw_head(chart::Canvas& canvas, const std::string& name, std::size_t points) {
+  constexpr double kNameSize = 16, kLegendSize = 12, kLine = 28;
+  canvas.text({54, kLine}, fmt::format("Diesel {}: {} speeds", name, points),
+              {Role::kInk, kNameSize, chart::Lettering::Anchor::kStart, chart::Lettering::Weight::kBold});
+  canvas.words(
+      {2 * kWidth - 10, kLine},
+      {{"▬ recorded", Role::kGrey}, {"─ modelled", kModelled}, {"│ orders of the model", Role::kOnset}},
+      kLegendSize);
 }
 
 }  // namespace
@@ -94,26 +121,20 @@ void write_background_plot(const std::filesystem::path& file, const std::vector<
                            const DieselModel& model) {
   std::vector<std::string> ignored;
   const std::vector<Section> sections = takes.empty() ? std::vector<Section>() : sections_of(takes, ignored);
-  std::string body;
-  double top = 30;
+  chart::SvgCanvas canvas(2 * kWidth, kHead + kHeight * static_cast<double>(model.points.size()));
+  draw_head(canvas, model.name, model.points.size());
+  double top = kHead;
   for (std::size_t i = 0; i < model.points.size(); ++i, top += kHeight) {
     const DieselPoint& point = model.points[i];
     CyclicSound recorded;
     if (i < sections.size()) recorded = recorded_cycles(sections[i], point, model.angle_samples);
     const CyclicSound* known = recorded.y.empty() ? nullptr : &recorded;
     const CyclicSound modelled = played_cycles(model, point, kPlayedCycles, 1);
-    body += svg_of(spectrum_chart(point, known, modelled), 0, top, kWidth, kHeight);
-    body += svg_of(envelope_chart(known, modelled), kWidth, top, kWidth, kHeight);
+    const double bottom = top + kHeight - 6;
+    draw_spectrum(canvas, {0, top, kWidth, bottom}, point, known, modelled);
+    draw_envelopes(canvas, {kWidth, top, 2 * kWidth, bottom}, known, modelled);
   }
-  write_file(
-      file,
-      fmt::format(
-          "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
-          "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" font-size=\"11\">\n"
-          "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
-          "<text x=\"58\" y=\"20\" font-size=\"14\">{2}: <tspan fill=\"{3}\">recorded</tspan>, "
-          "<tspan fill=\"{4}\">modelled</tspan>, <tspan fill=\"{5}\">orders</tspan></text>\n{6}</svg>\n",
-          2 * kWidth, top, model.name, kRecorded, kModelled, kOrders, body));
+  write_file(file, canvas.document());
 }
 
 }  // namespace rigsound::analysis

@@ -5,15 +5,17 @@
 #include <cmath>
 #include <numeric>
 
+#include "chart/outline.hpp"
 #include "clicks/envelope.hpp"
 #include "clicks/gaps.hpp"
 #include "clicks/whitening.hpp"
-#include "report/outline.hpp"
 #include "report/panels.hpp"
 #include "rigsound/analysis/rate.hpp"
 
 namespace rigsound::analysis {
 namespace {
+
+using chart::linear_axis, chart::Outline, chart::outline, chart::Role, chart::SvgPlot;
 
 constexpr std::size_t kClickColumns = 120;
 constexpr double kEnvelopeRangeDb = 50;
@@ -70,14 +72,14 @@ std::string envelope_panel(const ChainResult& segment) {
     top = std::max(top, *std::max_element(course->begin(), course->end()) + 2);
     low = std::min(low, *std::min_element(course->begin(), course->end()) - 2);
   }
-  Plot plot("Envelope", linear_axis("ms after the onset", 0, 1e3 * period / kAnalysisRate),
-            linear_axis("dB re the mean", std::max(low, top - kEnvelopeRangeDb), top), kThird);
-  plot.line(ms, recorded, "second");
-  plot.line(ms, white, "first");
-  plot.line(ms, fit, "third");
-  plot.legend("drilling", "second");
-  plot.legend("whitened", "first");
-  plot.legend("fitted", "third");
+  SvgPlot plot("Envelope", linear_axis("ms after the onset", 0, 1e3 * period / kAnalysisRate),
+               linear_axis("dB re the mean", std::max(low, top - kEnvelopeRangeDb), top), kThird);
+  plot->line(ms, recorded, {Role::kSecond, 1.6});
+  plot->line(ms, white, {Role::kFirst, 1.6});
+  plot->line(ms, fit, {Role::kThird, 1.6});
+  plot->legend("drilling", Role::kGrey);
+  plot->legend("whitened", Role::kFirst);
+  plot->legend("fitted", Role::kThird);
   return plot.svg();
 }
 
@@ -91,9 +93,9 @@ std::string click_panels(const ClickBank& bank) {
   }
   std::string html;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    Plot plot(fmt::format("Click {}", i + 1), linear_axis("ms", 0, longest, 3),
-              linear_axis("", -peak, peak, 2), kFifth);
-    plot.strokes(shapes[i].x, shapes[i].low, shapes[i].high, "first");
+    SvgPlot plot(fmt::format("Click {}", i + 1), linear_axis("ms", 0, longest, 3),
+                 linear_axis("", -peak, peak, 2), kFifth);
+    plot->band(shapes[i].x, shapes[i].low, shapes[i].high, Role::kFirst);
     html += plot.svg();
   }
   return html;

@@ -4,13 +4,13 @@
 #include <string>
 
 #include "bank/segment.hpp"
-#include "report/plot.hpp"
+#include "chart/svg_plot.hpp"
 #include "rigsound/click_bank.hpp"
 
 namespace rigsound::analysis {
 
 // Sizes of the charts side by side on a page of 1200 pixels.
-constexpr PlotSize kThird{392, 210}, kHalf{594, 230}, kFifth{233, 120};
+constexpr chart::PlotSize kThird{392, 210}, kHalf{594, 230}, kFifth{233, 120};
 
 /// One segment of a part, as far as it is shown.
 struct ShownSegment {

@@ -3,7 +3,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "report/html_text.hpp"
+#include "chart/markup_text.hpp"
+#include "chart/style_sheet.hpp"
 #include "report/page_style.hpp"
 #include "report/report_section.hpp"
 #include "rigsound/analysis/report.hpp"
@@ -30,10 +31,10 @@ std::string number_cell(const std::string& text) { return "<td class=\"n\">" + t
 std::string summary_row(const AnalysedPart& p) {
   const BankFigures& f = p.figures;
   const Label& label = p.part.label;
-  std::string html = fmt::format("<tr><td><a href=\"#{0}\">{0}</a></td><td>{1}</td>", html_text(p.part.bank),
-                                 name(label.situation));
+  std::string html = fmt::format("<tr><td><a href=\"#{0}\">{0}</a></td><td>{1}</td>",
+                                 chart::markup_text(p.part.bank), name(label.situation));
   html += number_cell(label.rods > 0 ? std::to_string(label.rods) : "–");
-  html += fmt::format("<td>{}</td>", label.rock.empty() ? "–" : html_text(label.rock));
+  html += fmt::format("<td>{}</td>", label.rock.empty() ? "–" : chart::markup_text(label.rock));
   html += number_cell(number(f.rate_hz, 2)) + number_cell(std::to_string(f.clicks_found)) +
           number_cell(number(f.level_db, 1)) + number_cell(number(f.snr_db, 1)) +
           number_cell(number(f.ltas_error_db, 2)) + number_cell(number(f.modulation_error_db, 2));
@@ -66,16 +67,16 @@ std::string summary(const AnalyzerResult& result) {
   }
   if (result.failures.empty()) return html;
   html += "<h2>Without a bank</h2>\n<ul>\n";
-  for (const std::string& failure : result.failures) html += "<li>" + html_text(failure) + "</li>\n";
+  for (const std::string& failure : result.failures) html += "<li>" + chart::markup_text(failure) + "</li>\n";
   return html + "</ul>\n";
 }
 
 std::string section_head(const AnalysedPart& p) {
   const Label& l = p.part.label;
   std::string html = fmt::format("<section id=\"{0}\"><h2><a href=\"#top\">↑ index</a>{0}</h2>\n<p>{1}",
-                                 html_text(p.part.bank), name(l.situation));
+                                 chart::markup_text(p.part.bank), name(l.situation));
   if (l.rods > 0) html += ", " + counted(static_cast<std::size_t>(l.rods), "rod", "rods");
-  if (!l.rock.empty()) html += ", " + html_text(l.rock);
+  if (!l.rock.empty()) html += ", " + chart::markup_text(l.rock);
   if (l.rpm > 0) html += fmt::format(", {:.0f} r/min", l.rpm);
   html += fmt::format(
       " · {} Hz · {} clicks found, {} in the bank · decay to −60 dB {:.0f} ms · level {} dB · SNR {} dB · "
@@ -83,11 +84,12 @@ std::string section_head(const AnalysedPart& p) {
       number(p.figures.rate_hz, 2), p.figures.clicks_found, p.clicks, 1e3 * p.figures.decay_s,
       number(p.figures.level_db, 1), number(p.figures.snr_db, 1), number(p.figures.ltas_error_db, 2),
       number(p.figures.modulation_error_db, 2));
-  html += fmt::format("<p class=\"quiet\">{}", html_text(p.part.recording.string()));
+  html += fmt::format("<p class=\"quiet\">{}", chart::markup_text(p.part.recording.string()));
   if (!p.part.whole()) html += fmt::format(", {:.3f} to {:.3f} s", l.start_s, l.end_s);
   html += fmt::format(", drilling in {} of {}</p>\n", p.figures.segments_drilling,
                       counted(static_cast<std::size_t>(p.figures.segments), "segment", "segments"));
-  for (const std::string& warning : p.warnings) html += "<p class=\"warn\">" + html_text(warning) + "</p>\n";
+  for (const std::string& warning : p.warnings)
+    html += "<p class=\"warn\">" + chart::markup_text(warning) + "</p>\n";
   return html;
 }
 
@@ -96,7 +98,8 @@ std::string section_head(const AnalysedPart& p) {
 void write_report(const fs::path& path, const fs::path& sound_set, const AnalyzerResult& result) {
   AtomicFile file(path);
   std::ofstream out(file.temporary(), std::ios::binary | std::ios::trunc);
-  out << kPageHead << summary(result);
+  out << kPageStart << chart::page_colours() << kPageStyle << chart::chart_styles() << kPageTop
+      << summary(result);
   for (const AnalysedPart& p : result.banks) {
     out << section_head(p);
     std::ifstream section(report_section_path(sound_set, p.part.bank), std::ios::binary);

@@ -37,7 +37,7 @@ Eigen::ArrayXXd band_powers(const std::vector<float>& x) {
 
 double spectrogram_peak(const std::vector<float>& x) { return band_powers(x).maxCoeff(); }
 
-std::string spectrogram_image(const std::vector<float>& x, double reference) {
+chart::Picture spectrogram_image(const std::vector<float>& x, double reference) {
   const Eigen::ArrayXXd bands = band_powers(x);
   std::vector<std::uint8_t> pixels;
   for (long row = kRows; row-- > 0;)
@@ -45,7 +45,9 @@ std::string spectrogram_image(const std::vector<float>& x, double reference) {
       const double db = 10 * std::log10(std::max(bands(row, c), 1e-30) / std::max(reference, 1e-30));
       pixels.push_back(static_cast<std::uint8_t>(std::clamp(15 * (1 + db / kSpectrogramRangeDb), 0.0, 15.0)));
     }
-  return png_data_uri(pixels, static_cast<int>(bands.cols()), kSpectrogramPalette);
+  return {static_cast<int>(bands.cols()),
+          std::move(pixels),
+          {kSpectrogramPalette.begin(), kSpectrogramPalette.end()}};
 }
 
 }  // namespace rigsound::analysis

@@ -4,13 +4,15 @@
 
 #include "bank/candidates.hpp"
 #include "bank/recorded_levels.hpp"
+#include "chart/svg_plot.hpp"
 #include "report/panels.hpp"
-#include "report/plot.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/dsp/elementary.hpp"
 
 namespace rigsound::analysis {
 namespace {
+
+using chart::Axis, chart::frequency_axis, chart::linear_axis, chart::Role, chart::SvgPlot;
 
 constexpr int kBins = 30;
 
@@ -36,11 +38,11 @@ std::string histogram(const char* title, const char* unit, const std::vector<dou
     y.push_back(deviation > 1e-6 * mean ? width * lognormal_density(x.back(), mean, deviation) : 0);
   }
   const double top = 1.1 * *std::max_element(share.begin(), share.end());
-  Plot plot(title, linear_axis(unit, from, to), linear_axis("share of clicks", 0, top, 4), kThird);
-  plot.bars(edges, share, "first");
-  plot.line(x, y, "third");
-  plot.legend("measured", "first");
-  plot.legend("engine", "third");
+  SvgPlot plot(title, linear_axis(unit, from, to), linear_axis("share of clicks", 0, top, 4), kThird);
+  plot->bars(edges, share, Role::kFirst);
+  plot->line(x, y, {Role::kThird, 1.6});
+  plot->legend("measured", Role::kFirst);
+  plot->legend("engine", Role::kThird);
   return plot.svg();
 }
 
@@ -53,11 +55,11 @@ Axis level_axis(std::string label, const BandLevels& a, const BandLevels& b, dou
 
 std::string spectrum(const char* title, Axis x, Axis y, const BandLevels& recorded,
                      const BandLevels& synthesised) {
-  Plot plot(title, std::move(x), std::move(y), kHalf);
-  plot.line(recorded.centre_hz, recorded.level_db, "first");
-  plot.line(synthesised.centre_hz, synthesised.level_db, "third");
-  plot.legend("recorded", "first");
-  plot.legend("resynthesised", "third");
+  SvgPlot plot(title, std::move(x), std::move(y), kHalf);
+  plot->line(recorded.centre_hz, recorded.level_db, {Role::kFirst, 1.6});
+  plot->line(synthesised.centre_hz, synthesised.level_db, {Role::kThird, 1.6});
+  plot->legend("recorded", Role::kFirst);
+  plot->legend("resynthesised", Role::kThird);
   return plot.svg();
 }
 

@@ -1,9 +1,7 @@
 // Panels over time: spectrograms before, background, after; waveform and detected clicks.
-#include <fmt/format.h>
-
 #include <algorithm>
 
-#include "report/outline.hpp"
+#include "chart/outline.hpp"
 #include "report/panels.hpp"
 #include "report/spectrogram_image.hpp"
 #include "rigsound/analysis/rate.hpp"
@@ -11,29 +9,26 @@
 namespace rigsound::analysis {
 namespace {
 
+using chart::Axis, chart::frequency_axis, chart::linear_axis, chart::Outline, chart::outline, chart::Role,
+    chart::SvgPlot;
+
 constexpr double kLongest_s = 2;
 constexpr std::size_t kColumns = 720;
-constexpr PlotSize kSpectrogramSize{1200, 150, 66}, kWaveformSize{1200, 200, 66};
+constexpr chart::PlotSize kSpectrogramSize{1200, 150, 66}, kWaveformSize{1200, 200, 66};
 
 std::vector<float> beginning(const std::vector<float>& x) {
   const auto count = std::min(x.size(), static_cast<std::size_t>(kLongest_s * kAnalysisRate));
   return {x.begin(), x.begin() + static_cast<long>(count)};
 }
 
-std::vector<std::string> palette() {
-  std::vector<std::string> colours;
-  for (const Colour& c : kSpectrogramPalette)
-    colours.push_back(fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue));
-  return colours;
-}
-
 std::string spectrogram(const char* title, const Axis& time, const std::vector<float>& x, double reference) {
-  Plot plot(title, time,
-            frequency_axis("Hz", kSpectrogramLowHz, kSpectrogramHighHz, {100, 300, 1000, 3000, 10000}),
-            kSpectrogramSize);
-  plot.image(spectrogram_image(x, reference));
-  plot.colour_bar(palette(), linear_axis("", -kSpectrogramRangeDb, 0, 3));
-  plot.legend("dB re the loudest", "quiet");
+  SvgPlot plot(title, time,
+               frequency_axis("Hz", kSpectrogramLowHz, kSpectrogramHighHz, {100, 300, 1000, 3000, 10000}),
+               kSpectrogramSize);
+  plot->image(spectrogram_image(x, reference));
+  plot->colour_bar({kSpectrogramPalette.begin(), kSpectrogramPalette.end()},
+                   linear_axis("", -kSpectrogramRangeDb, 0, 3));
+  plot->legend("dB re the loudest", Role::kGrey);
   return plot.svg();
 }
 
@@ -41,17 +36,17 @@ std::string waveform(const Axis& time, const ShownSegment& segment, const std::v
                      const std::vector<float>& after) {
   const Outline recorded = outline(before.data(), before.size(), kColumns, time.low, 1 / kAnalysisRate),
                 drilling = outline(after.data(), after.size(), kColumns, time.low, 1 / kAnalysisRate);
-  Plot plot("Detected clicks", time, linear_axis("of full scale", -recorded.peak, recorded.peak, 4),
-            kWaveformSize);
-  plot.strokes(recorded.x, recorded.low, recorded.high, "second");
-  plot.strokes(drilling.x, drilling.low, drilling.high, "first");
+  SvgPlot plot("Detected clicks", time, linear_axis("of full scale", -recorded.peak, recorded.peak, 4),
+               kWaveformSize);
+  plot->band(recorded.x, recorded.low, recorded.high, Role::kSecond);
+  plot->band(drilling.x, drilling.low, drilling.high, Role::kFirst);
   std::vector<double> onsets;
   for (const int P : segment.chain.clicks.P)
     if (P < static_cast<int>(before.size())) onsets.push_back(time.low + P / kAnalysisRate);
-  plot.verticals(onsets, "onset");
-  plot.legend("recording", "second");
-  plot.legend("drilling", "first");
-  plot.legend("detected onset", "onset");
+  plot->verticals(onsets, {Role::kOnset, 0.8});
+  plot->legend("recording", Role::kGrey);
+  plot->legend("drilling", Role::kFirst);
+  plot->legend("detected onset", Role::kOnset);
   return plot.svg();
 }
 

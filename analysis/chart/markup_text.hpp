@@ -1,12 +1,12 @@
-// Text that may hold anything, made safe for HTML.
+// Text that may hold anything, made safe for HTML and SVG.
 #pragma once
 
 #include <string>
 #include <string_view>
 
-namespace rigsound::analysis {
+namespace rigsound::chart {
 
-inline std::string html_text(std::string_view text) {
+inline std::string markup_text(std::string_view text) {
   std::string safe;
   for (const char c : text) switch (c) {
       case '&':
@@ -27,4 +27,4 @@ inline std::string html_text(std::string_view text) {
   return safe;
 }
 
-}  // namespace rigsound::analysis
+}  // namespace rigsound::chart

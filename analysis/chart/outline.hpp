@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace rigsound::analysis {
+namespace rigsound::chart {
 
 /// Lowest and highest sample of each column.
 struct Outline {
@@ -29,4 +29,4 @@ inline Outline outline(const float* samples, std::size_t count, std::size_t colu
   return o;
 }
 
-}  // namespace rigsound::analysis
+}  // namespace rigsound::chart
