@@ -92,8 +92,8 @@ void SvgCanvas::text(Point at, const std::string& text, const Lettering& l) {
           ? fmt::format("x=\"{}\" y=\"{}\"", number(tenths(at.x)), number(tenths(at.y)))
           : fmt::format("transform=\"translate({:.1f} {:.1f}) rotate(-90)\"", at.x, at.y);
   marks_ +=
-      fmt::format("<text {}{}{} font-size=\"{:g}\"{}>{}</text>\n", place, painted(l.paint, Use::kFill),
-                  anchor_of(l.anchor), l.size == kUsualSize ? "" : fmt::format(" font-size=\"{:g}\"", l.size),
+      fmt::format("<text {}{}{}{}{}>{}</text>\n", place, painted(l.paint, Use::kFill), anchor_of(l.anchor),
+                  l.size == kUsualSize ? "" : fmt::format(" font-size=\"{:g}\"", l.size),
                   l.weight == Lettering::Weight::kBold ? " font-weight=\"600\"" : "", markup_text(text));
 }
 

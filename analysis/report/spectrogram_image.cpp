@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "chart/spectrum_palette.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "spectrum/stft.hpp"
 
@@ -47,7 +48,7 @@ chart::Picture spectrogram_image(const std::vector<float>& x, double reference) 
     }
   return {static_cast<int>(bands.cols()),
           std::move(pixels),
-          {kSpectrogramPalette.begin(), kSpectrogramPalette.end()}};
+          {chart::kSpectrumPalette.begin(), chart::kSpectrumPalette.end()}};
 }
 
 }  // namespace rigsound::analysis

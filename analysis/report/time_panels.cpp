@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "chart/outline.hpp"
+#include "chart/spectrum_palette.hpp"
 #include "report/panels.hpp"
 #include "report/spectrogram_image.hpp"
 #include "rigsound/analysis/rate.hpp"
@@ -26,7 +27,7 @@ std::string spectrogram(const char* title, const Axis& time, const std::vector<f
                frequency_axis("Hz", kSpectrogramLowHz, kSpectrogramHighHz, {100, 300, 1000, 3000, 10000}),
                kSpectrogramSize);
   plot->image(spectrogram_image(x, reference));
-  plot->colour_bar({kSpectrogramPalette.begin(), kSpectrogramPalette.end()},
+  plot->colour_bar({chart::kSpectrumPalette.begin(), chart::kSpectrumPalette.end()},
                    linear_axis("", -kSpectrogramRangeDb, 0, 3));
   plot->legend("dB re the loudest", Role::kGrey);
   return plot.svg();

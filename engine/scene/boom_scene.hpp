@@ -5,11 +5,11 @@
 
 #include "drill/drill_input.hpp"
 #include "impact/impact_train.hpp"
+#include "rigsound/feed_rule.hpp"
 #include "rigsound/machine/limits.hpp"
 #include "rigsound/options.hpp"
 #include "rigsound/sound_set.hpp"
 #include "scene/feed_axis.hpp"
-#include "scene/feed_rule.hpp"
 #include "tool/tool_input.hpp"
 
 namespace rigsound::scene {

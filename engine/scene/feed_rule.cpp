@@ -1,4 +1,4 @@
-#include "scene/feed_rule.hpp"
+#include "rigsound/feed_rule.hpp"
 
 namespace rigsound::scene {
 namespace {

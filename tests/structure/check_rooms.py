@@ -25,7 +25,7 @@ RULES = {
     'config': ((*GROUND, 'engine', 'drivers'), ('toml++/', 'nlohmann/', 'sndfile', 'samplerate', 'fmt/')),
     'analysis': ((*GROUND, 'engine', 'drivers', 'config'),
                  ('Eigen/', 'unsupported/Eigen/', 'nlopt', 'sndfile', 'samplerate', 'nlohmann/', 'openssl/', 'fmt/',
-                  'math.h', 'png.h')),
+                  'math.h', 'png.h', 'ft2build.h')),
     'tools': ((*GROUND, 'engine', 'drivers', 'config', 'analysis'),
               ('CLI/', 'fmt/', 'spdlog/', 'nlohmann/', 'openssl/', 'readerwriterqueue', 'systemd/', 'POSIX')),
 }
@@ -36,7 +36,7 @@ FLOORS = (
     ('impact',),
     ('drill', 'tool', 'diesel'),
     ('string',),
-    ('scene', 'mix', 'rigsound/options.hpp', 'rigsound/sound_set.hpp'),
+    ('scene', 'mix', 'rigsound/feed_rule.hpp', 'rigsound/options.hpp', 'rigsound/sound_set.hpp'),
     ('engine_check.hpp', 'engine_check.cpp', 'engine.cpp', 'rigsound/engine.hpp'),
 )
 # The daemon plays; it never analyses.

@@ -23,6 +23,7 @@ void add_render(cli::Verb& program);
 void add_replay(cli::Verb& program);
 void add_resynth(cli::Verb& program);
 void add_simulate(cli::Verb& program);
+void add_timeline(cli::Verb& program);
 void add_tool(cli::Verb& program);
 
 }  // namespace rigsound::tools

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "bench/formula_sounds.hpp"
+#include "rigsound/feed_rule.hpp"
 #include "rigsound/machine/state_guard.hpp"
 #include "scene/bank_choice.hpp"
 #include "scene/boom_scene.hpp"
-#include "scene/feed_rule.hpp"
 
 using namespace rigsound;
 

@@ -1,0 +1,35 @@
+#include "timeline/sound_file.hpp"
+
+#include <sndfile.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "rigsound/machine/input_error.hpp"
+
+namespace rigsound::analysis {
+
+SoundFile read_sound(const std::filesystem::path& file) {
+  constexpr sf_count_t kFramesAtOnce = 65536;
+  SF_INFO format{};
+  const std::unique_ptr<SNDFILE, int (*)(SNDFILE*)> in(sf_open(file.c_str(), SFM_READ, &format), sf_close);
+  if (!in) throw InputError(file.string(), std::string("cannot be read: ") + sf_strerror(nullptr));
+  SoundFile sound{{}, format.samplerate, format.channels, 0};
+  std::vector<float> frames(static_cast<std::size_t>(kFramesAtOnce * format.channels));
+  for (sf_count_t got; (got = sf_readf_float(in.get(), frames.data(), kFramesAtOnce)) > 0;)
+    for (sf_count_t n = 0; n < got; ++n) {
+      double sum = 0;
+      for (int c = 0; c < format.channels; ++c) {
+        const double x = static_cast<double>(frames[static_cast<std::size_t>(n * format.channels + c)]);
+        sum += x;
+        sound.peak = std::max(sound.peak, std::fabs(x));
+      }
+      if (!std::isfinite(sum)) throw InputError(file.string(), "holds a sample that is not finite");
+      sound.mono.push_back(static_cast<float>(sum / format.channels));
+    }
+  if (sound.mono.empty()) throw InputError(file.string(), "holds no sample");
+  return sound;
+}
+
+}  // namespace rigsound::analysis
