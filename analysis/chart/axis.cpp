@@ -12,7 +12,8 @@ constexpr double kMinutesFrom_s = 120;
 
 void add_multiples(Axis& axis, double step) {
   for (double t = std::ceil(axis.low / step - 1e-9) * step; t <= axis.high + 1e-9 * step; t += step)
-    axis.ticks.emplace_back(t, fmt::format("{:g}", std::fabs(t) < 1e-9 * step ? 0 : t));
+    axis.ticks.emplace_back(
+        t, fmt::format("{}{:g}", t < -1e-9 * step ? "−" : "", std::fabs(t) < 1e-9 * step ? 0 : std::fabs(t)));
 }
 
 }  // namespace

@@ -82,15 +82,18 @@ void Plot::dot(double x, double y, double radius, const Paint& paint, const std:
   canvas_.dot({px(x), py(y)}, radius, paint, hover);
 }
 
-void Plot::image(const Picture& picture) { canvas_.image(plane_, picture); }
+void Plot::image(const Picture& picture) {
+  constexpr double kOverPicture = 0.18;
+  grid_opacity_ = kOverPicture;
+  canvas_.image(plane_, picture);
+}
 
 void Plot::colour_bar(const std::vector<Colour>& colours, const Axis& scale) {
   constexpr double kGap = 10, kWidth = 10;
-  const double left = plane_.right + kGap, step = plane_.height() / static_cast<double>(colours.size());
-  for (std::size_t i = 0; i < colours.size(); ++i) {
-    const double bottom = plane_.bottom - static_cast<double>(i) * step;
-    canvas_.fill({rectangle({left, bottom - step, left + kWidth, bottom})}, colours[i]);
-  }
+  const double left = plane_.right + kGap;
+  Picture bar{1, {}, colours};
+  for (std::size_t i = colours.size(); i-- > 0;) bar.pixels.push_back(static_cast<std::uint8_t>(i));
+  canvas_.image({left, plane_.top, left + kWidth, plane_.bottom}, bar);
   for (const auto& [value, says] : scale.ticks)
     canvas_.text({left + kWidth + 4, plane_.bottom - plane_.height() * scale.place(value) + 4}, says,
                  grey(Anchor::kStart));
@@ -121,7 +124,7 @@ void Plot::draw_y_axis() {
     grid.push_back({{plane_.left, py(value)}, {plane_.right, py(value)}});
     canvas_.text({plane_.left - 5, py(value) + 4}, says, grey(Anchor::kEnd));
   }
-  canvas_.stroke(grid, {{Role::kFaint, 0.55}, 0.6});
+  canvas_.stroke(grid, {{Role::kFaint, grid_opacity_}, 0.6});
   if (!y_.label.empty())
     canvas_.text(
         {outer_.left + 12, (plane_.top + plane_.bottom) / 2}, y_.label,

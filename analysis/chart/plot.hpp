@@ -56,6 +56,7 @@ class Plot {
   Box outer_, plane_;
   std::string title_;
   Axis x_, y_;
+  double grid_opacity_ = 0.55;
   std::vector<Word> legend_;
 };
 

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "chart/picture_png.hpp"
-#include "rigsound/device_error.hpp"
 
 namespace rigsound::chart {
 namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
 constexpr std::size_t kMostPoints = 32000;  // of one outline: FreeType counts them in 16 bits
+constexpr long kStrip = 128;  // pixels; FreeType has room for some hundred edges in a row of pixels
 
 /// What FreeType draws, one contour a run.
 struct Contours {
@@ -89,7 +90,6 @@ void PngCanvas::render(FT_Outline& outline, const Paint& paint) {
   FT_Raster_Params params{};
   params.source = &outline;
   params.flags = FT_RASTER_FLAG_AA | FT_RASTER_FLAG_DIRECT | FT_RASTER_FLAG_CLIP;
-  params.clip_box = {0, 0, width_, height_};
   params.user = &ink;
   params.gray_spans = [](int y, int count, const FT_Span* spans, void* user) {
     const Ink& with = *static_cast<Ink*>(user);
@@ -105,7 +105,14 @@ void PngCanvas::render(FT_Outline& outline, const Paint& paint) {
                   mix(row[x].blue, with.colour.blue)};
     }
   };
-  FT_Outline_Render(font_.library(), &outline, &params);
+  FT_BBox box;
+  FT_Outline_Get_CBox(&outline, &box);
+  const long first = std::max(0L, box.xMin / 64 - 1), end = std::min<long>(width_, box.xMax / 64 + 2);
+  for (long x = first; x < end; x += kStrip) {
+    params.clip_box = {x, 0, std::min(x + kStrip, end), height_};
+    if (FT_Outline_Render(font_.library(), &outline, &params) != 0)
+      throw std::runtime_error("FreeType cannot render an outline of the picture");
+  }
 }
 
 void PngCanvas::fill(const std::vector<Run>& runs, const Paint& paint, const std::string&) {

@@ -57,7 +57,7 @@ struct Lane {
 /// What is drawn of the machine, from top to bottom. Lanes of signals that the states do not hold are left
 /// out.
 constexpr Lane kLanes[] = {
-    {LaneKind::kActivity, "Situation", Signal::kRattling, 24},
+    {LaneKind::kActivity, "Situation", Signal::kRattling, 28},
     {LaneKind::kValues, "Rods", Signal::kRodCount, 17},
     {LaneKind::kValues, "Rock", Signal::kRock, 17},
     {LaneKind::kFeed, "Feed pressure", Signal::kFeedPressureBar, 128},
@@ -95,7 +95,8 @@ class Drawing {
  private:
   void draw_head(const std::string& title);
   void draw_lane(const Lane& lane);
-  void draw_activity(std::size_t boom, double height);
+  void draw_activity(const Lane& lane, std::size_t boom);
+  void draw_name(const ActivityLook& drawn, const Box& area);
   void draw_values(const Lane& lane, int boom);
   void draw_curve(const Lane& lane);
   void draw_threshold(Plot& plot, double bar, const char* name, Activity beyond);
@@ -180,23 +181,40 @@ void Drawing::lane_name(const Box& box, const std::string& name) {
 void Drawing::draw_lane(const Lane& lane) {
   for (std::size_t boom = 0; boom < states_.booms.size(); ++boom) {
     const bool held = states_.holds({lane.signal, static_cast<std::uint8_t>(boom)});
-    if (lane.kind == LaneKind::kActivity) draw_activity(boom, lane.height);
+    if (lane.kind == LaneKind::kActivity) draw_activity(lane, boom);
     if (lane.kind == LaneKind::kValues && held) draw_values(lane, static_cast<int>(boom));
   }
   if (lane.kind == LaneKind::kFeed || lane.kind == LaneKind::kCurve) draw_curve(lane);
 }
 
-void Drawing::draw_activity(std::size_t boom, double height) {
-  const Box box = take(height);
-  lane_name(box, states_.booms[boom].empty() ? "situation" : states_.booms[boom]);
+void Drawing::draw_activity(const Lane& lane, std::size_t boom) {
+  const Box box = take(lane.height);
+  lane_name(box, states_.booms[boom].empty() ? lane.title : states_.booms[boom]);
   for (const ActivitySpan& span : spans_[boom]) {
     const ActivityLook& drawn = look(span.activity);
     const Box area{x_of(span.from_s), box.top, x_of(span.to_s), box.bottom};
     canvas_.fill({chart::rectangle(area)}, drawn.colour);
-    const Lettering lettering{letters_on(drawn.colour), kText, Anchor::kMiddle, Weight::kBold};
-    if (canvas_.text_width(drawn.name, lettering) + 6 < area.width())
-      canvas_.text({0.5 * (area.left + area.right), box.bottom - 8}, drawn.name, lettering);
+    draw_name(drawn, area);
   }
+}
+
+/// On one line, else on two smaller ones, else not at all: the legend says it too.
+void Drawing::draw_name(const ActivityLook& drawn, const Box& area) {
+  constexpr double kTwoLines = 9.5;
+  const double middle = 0.5 * (area.left + area.right), baseline = 0.5 * (area.top + area.bottom) + 4;
+  const std::string name = drawn.name;
+  Lettering lettering{letters_on(drawn.colour), kText, Anchor::kMiddle, Weight::kBold};
+  const auto fits = [&](const std::string& text) {
+    return canvas_.text_width(text, lettering) + 6 < area.width();
+  };
+  if (fits(name)) return canvas_.text({middle, baseline}, name, lettering);
+  const std::size_t space = name.find(' ');
+  if (space == std::string::npos) return;
+  lettering.size = kTwoLines;
+  const std::string above = name.substr(0, space), below = name.substr(space + 1);
+  if (!fits(above) || !fits(below)) return;
+  canvas_.text({middle, baseline - 5.5}, above, lettering);
+  canvas_.text({middle, baseline + 5.5}, below, lettering);
 }
 
 void Drawing::draw_values(const Lane& lane, int boom) {
