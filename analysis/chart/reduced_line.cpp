@@ -12,8 +12,8 @@ Run reduced(const Run& line) {
   for (auto from = line.begin(); from != line.end();) {
     const double column = std::floor(from->x);
     const auto to = std::find_if(from, line.end(), [&](const Point& p) { return p.x >= column + 1; });
-    if (to - from <= 2) {
-      kept.insert(kept.end(), from, to);
+    if (to - from == 1) {
+      kept.push_back(*from);
     } else {
       auto [low, high] =
           std::minmax_element(from, to, [](const Point& a, const Point& b) { return a.y < b.y; });

@@ -7,7 +7,7 @@ namespace rigsound::chart {
 
 /// Lowest and highest point of every column of one pixel, in the order of the line,
 /// rounded outwards to whole pixels; a line that goes to and
-/// fro or has no more than two points a column stays as it is. Thread: OFF.
+/// fro or has no more than one point a column stays as it is. Thread: OFF.
 Run reduced(const Run& line);
 
 }  // namespace rigsound::chart

@@ -21,8 +21,10 @@ enum class Use : char { kStroke = 's', kFill = 'f' };
 long tenths(double v) { return std::lround(10 * v); }
 
 std::string number(long tenths) {
-  std::string text = fmt::format("{}{}", tenths < 0 ? "-" : "", std::abs(tenths) / 10);
-  if (tenths % 10 != 0) text += fmt::format(".{}", std::abs(tenths) % 10);
+  const long whole = std::abs(tenths) / 10, part = std::abs(tenths) % 10;
+  std::string text = tenths < 0 ? "-" : "";
+  if (whole > 0 || part == 0) text += std::to_string(whole);
+  if (part > 0) text += "." + std::to_string(part);
   return text;
 }
 

@@ -15,7 +15,10 @@ namespace {
 
 using chart::Paint, chart::Plot, chart::Role;
 
-constexpr double kWidth = 620, kHeight = 300, kHead = 44, kLowest_hz = 20, kHighest_hz = 10000;
+constexpr double kSpectrumWidth = 620,
+                 kEnvelopeWidth = 640;  // the latter: 9 pixels a slot, which keeps the file short
+constexpr double kWidth = kSpectrumWidth + kEnvelopeWidth, kHeight = 300, kHead = 44, kLowest_hz = 20,
+                 kHighest_hz = 10000;
 constexpr int kSpectrumCycles = 8, kPlayedCycles = 120;
 // The recorded curve is the wide pale one behind the modelled one, so that both stay visible.
 constexpr double kRecordedWidth = 3, kModelledWidth = 1.1;
@@ -81,8 +84,7 @@ void draw_envelopes(chart::Canvas& canvas, const chart::Box& box, const CyclicSo
   const std::vector<double> bands = envelope_bands(std::min(kHighest_hz, 0.45 * model.N * model.f0));
   const auto count = static_cast<double>(bands.size() - 1);
   chart::Axis angle{"crank angle, degrees", 0, 720, chart::Axis::Scale::kLinear, {}},
-      octaves{
-          "octave from ... Hz", -0.5 * kStep_db, (count - 0.5) * kStep_db, chart::Axis::Scale::kLinear, {}};
+      octaves{"octave from … Hz", -0.5 * kStep_db, (count - 0.5) * kStep_db, chart::Axis::Scale::kLinear, {}};
   for (int degrees = 0; degrees <= 720; degrees += 90)
     angle.ticks.emplace_back(degrees, std::to_string(degrees));
   for (std::size_t i = 0; i + 1 < bands.size(); ++i)
@@ -110,7 +112,7 @@ void draw_head(chart::Canvas& canvas, const std::string& name, std::size_t point
   canvas.text({54, kLine}, fmt::format("Diesel {}: {} speeds", name, points),
               {Role::kInk, kNameSize, chart::Lettering::Anchor::kStart, chart::Lettering::Weight::kBold});
   canvas.words(
-      {2 * kWidth - 10, kLine},
+      {kWidth - 10, kLine},
       {{"▬ recorded", Role::kGrey}, {"─ modelled", kModelled}, {"│ orders of the model", Role::kOnset}},
       kLegendSize);
 }
@@ -121,7 +123,7 @@ void write_background_plot(const std::filesystem::path& file, const std::vector<
                            const DieselModel& model) {
   std::vector<std::string> ignored;
   const std::vector<Section> sections = takes.empty() ? std::vector<Section>() : sections_of(takes, ignored);
-  chart::SvgCanvas canvas(2 * kWidth, kHead + kHeight * static_cast<double>(model.points.size()));
+  chart::SvgCanvas canvas(kWidth, kHead + kHeight * static_cast<double>(model.points.size()));
   draw_head(canvas, model.name, model.points.size());
   double top = kHead;
   for (std::size_t i = 0; i < model.points.size(); ++i, top += kHeight) {
@@ -131,8 +133,8 @@ void write_background_plot(const std::filesystem::path& file, const std::vector<
     const CyclicSound* known = recorded.y.empty() ? nullptr : &recorded;
     const CyclicSound modelled = played_cycles(model, point, kPlayedCycles, 1);
     const double bottom = top + kHeight - 6;
-    draw_spectrum(canvas, {0, top, kWidth, bottom}, point, known, modelled);
-    draw_envelopes(canvas, {kWidth, top, 2 * kWidth, bottom}, known, modelled);
+    draw_spectrum(canvas, {0, top, kSpectrumWidth, bottom}, point, known, modelled);
+    draw_envelopes(canvas, {kSpectrumWidth, top, kWidth, bottom}, known, modelled);
   }
   write_file(file, canvas.document());
 }
