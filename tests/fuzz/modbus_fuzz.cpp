@@ -35,7 +35,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const RegisterFile registers(routes());
   Request request;
   Exchange change;
-  if (parse(data, size, request) || registers.judge(request, change)) return 0;
+  if (parse(data, size, request) || registers.check(request, change)) return 0;
   const std::size_t wanted = request.write ? static_cast<std::size_t>(request.write->count) : 0;
   if (change.values.size() != wanted) std::abort();
   std::vector<Reading> written;
