@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 #include "chart/plot.hpp"
 #include "chart/svg_canvas.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 using chart::Paint, chart::Plot, chart::Role;
 
-constexpr double kSpectrumWidth = 620,
+constexpr double kSpectrumWidth = 500,
                  kEnvelopeWidth = 640;  // the latter: 9 pixels a slot, which keeps the file short
 constexpr double kWidth = kSpectrumWidth + kEnvelopeWidth, kHeight = 300, kHead = 44, kLowest_hz = 20,
                  kHighest_hz = 10000;
@@ -23,6 +24,13 @@ constexpr int kSpectrumCycles = 8, kPlayedCycles = 120;
 // The recorded curve is the wide pale one behind the modelled one, so that both stay visible.
 constexpr double kRecordedWidth = 3, kModelledWidth = 1.1;
 const Paint kRecorded = Role::kSecond, kModelled = Role::kThird, kOrders{Role::kOnset, 0.45};
+
+/// The model at one speed, and the recording and how far it is off when there is one.
+struct Compared {
+  CyclicSound model;
+  std::optional<CyclicSound> recorded;
+  std::optional<Likeness> off;
+};
 
 struct Curve {
   std::vector<double> x, y;
@@ -50,16 +58,9 @@ Curve orders(const DieselPoint& point, double f0) {
   return curve;
 }
 
-/// How far the model is from the recording.
-std::string merit(const CyclicSound* recorded, const CyclicSound& model) {
-  if (!recorded) return "no recording";
-  const Likeness off = likeness(*recorded, model, kHighest_hz);
-  return fmt::format("rms error: third octaves {:.1f} dB, cyclic envelope {:.1f} dB", off.third_octave_db,
-                     off.cyclic_envelope_db);
-}
-
 void draw_spectrum(chart::Canvas& canvas, const chart::Box& box, const DieselPoint& point,
-                   const CyclicSound* recorded, const CyclicSound& model) {
+                   const Compared& sounds) {
+  const auto& [model, recorded, off] = sounds;
   Plot plot(
       canvas, box,
       fmt::format("{} at {:.0f} r/min", std::filesystem::path(point.source).filename().string(), point.rpm),
@@ -73,13 +74,13 @@ void draw_spectrum(chart::Canvas& canvas, const chart::Box& box, const DieselPoi
     plot.line(heard.x, heard.y, {kRecorded, kRecordedWidth});
   }
   plot.line(modelled.x, modelled.y, {kModelled, 0.5 * kModelledWidth});
-  plot.legend(merit(recorded, model), Role::kGrey);
+  if (off) plot.legend(fmt::format("third octaves off by {:.1f} dB rms", off->third_octave_db), Role::kGrey);
   plot.finish();
 }
 
 /// One curve an octave, each a step above the one before.
-void draw_envelopes(chart::Canvas& canvas, const chart::Box& box, const CyclicSound* recorded,
-                    const CyclicSound& model) {
+void draw_envelopes(chart::Canvas& canvas, const chart::Box& box, const Compared& sounds) {
+  const auto& [model, recorded, off] = sounds;
   constexpr double kStep_db = 10;
   const std::vector<double> bands = envelope_bands(std::min(kHighest_hz, 0.45 * model.N * model.f0));
   const auto count = static_cast<double>(bands.size() - 1);
@@ -103,7 +104,8 @@ void draw_envelopes(chart::Canvas& canvas, const chart::Box& box, const CyclicSo
   };
   if (recorded) draw(*recorded, {kRecorded, kRecordedWidth});
   draw(model, {kModelled, kModelledWidth});
-  plot.legend(fmt::format("a step of the grid is {:.0f} dB", kStep_db), Role::kGrey);
+  if (off) plot.legend(fmt::format("off by {:.1f} dB rms,", off->cyclic_envelope_db), Role::kGrey);
+  plot.legend(fmt::format("grid step {:.0f} dB", kStep_db), Role::kGrey);
   plot.finish();
 }
 
@@ -128,13 +130,15 @@ void write_background_plot(const std::filesystem::path& file, const std::vector<
   double top = kHead;
   for (std::size_t i = 0; i < model.points.size(); ++i, top += kHeight) {
     const DieselPoint& point = model.points[i];
-    CyclicSound recorded;
-    if (i < sections.size()) recorded = recorded_cycles(sections[i], point, model.angle_samples);
-    const CyclicSound* known = recorded.y.empty() ? nullptr : &recorded;
-    const CyclicSound modelled = played_cycles(model, point, kPlayedCycles, 1);
+    Compared sounds{played_cycles(model, point, kPlayedCycles, 1), {}, {}};
+    if (i < sections.size()) {
+      sounds.recorded = recorded_cycles(sections[i], point, model.angle_samples);
+      if (sounds.recorded->y.empty()) sounds.recorded.reset();
+    }
+    if (sounds.recorded) sounds.off = likeness(*sounds.recorded, sounds.model, kHighest_hz);
     const double bottom = top + kHeight - 6;
-    draw_spectrum(canvas, {0, top, kSpectrumWidth, bottom}, point, known, modelled);
-    draw_envelopes(canvas, {kSpectrumWidth, top, kWidth, bottom}, known, modelled);
+    draw_spectrum(canvas, {0, top, kSpectrumWidth, bottom}, point, sounds);
+    draw_envelopes(canvas, {kSpectrumWidth, top, kWidth, bottom}, sounds);
   }
   write_file(file, canvas.document());
 }
