@@ -12,33 +12,36 @@
 #include "rigsound/machine/state_guard.hpp"
 #include "scene/boom_scene.hpp"
 #include "scene/rig_scene.hpp"
+#include "string/string_layer.hpp"
 #include "tool/tool_layer.hpp"
 
 namespace rigsound {
 namespace {
 
-/// One drill: its scene, its impacts, and the two layers that hear them.
+/// One drill: its scene, its impacts, and the layers that hear them.
 struct Boom {
   Boom(const EngineOptions& options, const SoundSet& sounds, int index)
-      : scene(options, sounds), train(options.seed, index), drill(options.seed, index) {
-    const int tool_index = options.booms[index].tool;
-    if (tool_index >= 0) tool.emplace(sounds.tools[tool_index], options.sample_rate, options.seed, index);
+      : scene(options, sounds, index), train(options.seed, index), drill(options.seed, index) {
+    const BoomOptions& boom = options.booms[index];
+    if (boom.tool >= 0) tool.emplace(sounds.tools[boom.tool], options.sample_rate, options.seed, index);
+    if (boom.drill_string >= 0)
+      rods.emplace(sounds.strings[boom.drill_string], options.sample_rate, options.seed, index);
   }
 
   void process(double* drill_bus, double* tool_bus) noexcept {
     scene.advance();
     train.process(scene.impacts());
     drill.process(scene.drill(), train.impacts(), drill_bus);
-    if (tool)
-      tool->process(scene.tool(), train.impacts(), tool_bus);
-    else
-      std::fill(tool_bus, tool_bus + kChunk, 0.0);
+    std::fill(tool_bus, tool_bus + kChunk, 0.0);
+    if (tool) tool->process(scene.tool(), train.impacts(), tool_bus);
+    if (rods) rods->process(scene.rods(), train.impacts(), tool_bus);
   }
 
   scene::BoomScene scene;
   impact::ImpactTrain train;
   drill::DrillLayer drill;
-  std::optional<tool::ToolLayer> tool;
+  std::optional<tool::ToolLayer> tool;      ///< a bar,
+  std::optional<string::StringLayer> rods;  ///< or a drill string
 };
 
 /// Everything that changes while the engine plays; copied to begin anew. No copy of a copy allocates.

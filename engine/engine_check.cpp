@@ -52,9 +52,12 @@ void require_valid(const EngineOptions& o) {
 
 void require_valid(const EngineOptions& o, const SoundSet& sounds) {
   require_valid(o);
-  for (const BoomOptions& boom : o.booms)
-    FieldCheck().require(boom.tool >= -1 && boom.tool < static_cast<int>(sounds.tools.size()), "boom.tool",
+  for (const BoomOptions& boom : o.booms) {
+    const bool there = boom.tool >= -1 && boom.tool < static_cast<int>(sounds.tools.size()) &&
+                       boom.drill_string >= -1 && boom.drill_string < static_cast<int>(sounds.strings.size());
+    FieldCheck().require(there, "boom.tool",
                          "of \"" + boom.name + "\" is not there, expected one of the sound set");
+  }
   require_banks(sounds, o.sample_rate);
 }
 

@@ -101,6 +101,24 @@ Rig parse_rig(std::string_view text, const std::filesystem::path& file) {
   return rig;
 }
 
+namespace {
+
+template <class Model>
+int index_of(const std::vector<Model>& models, const std::string& name) {
+  for (std::size_t i = 0; i < models.size(); ++i)
+    if (models[i].name == name) return static_cast<int>(i);
+  return -1;
+}
+
+std::string steel_names(const SoundSet& sounds) {
+  std::string names;
+  for (const ToolModel& tool : sounds.tools) names += (names.empty() ? "" : ", ") + tool.name;
+  for (const StringModel& string : sounds.strings) names += (names.empty() ? "" : ", ") + string.name;
+  return names.empty() ? "none" : names;
+}
+
+}  // namespace
+
 SoundSet load_sounds(Rig& rig) {
   if (rig.sound_set.empty())
     throw InputError(rig.file.string(), rig.sound_set_line, "sound.set",
@@ -113,12 +131,13 @@ SoundSet load_sounds(Rig& rig) {
   for (std::size_t i = 0; i < rig.boom_tools.size(); ++i) {
     const std::string& wanted = rig.boom_tools[i];
     if (wanted.empty()) continue;
-    const auto found = std::find_if(sounds.tools.begin(), sounds.tools.end(),
-                                    [&](const ToolModel& tool) { return tool.name == wanted; });
-    if (found == sounds.tools.end())
+    BoomOptions& boom = rig.engine.booms[i];
+    boom.tool = index_of(sounds.tools, wanted);
+    boom.drill_string = index_of(sounds.strings, wanted);
+    if (boom.tool < 0 && boom.drill_string < 0)
       throw InputError(rig.file.string(), rig.boom_tool_lines[i], "boom.tool",
-                       "the sound set " + rig.sound_set.string() + " has no tool '" + wanted + "'");
-    rig.engine.booms[i].tool = static_cast<int>(found - sounds.tools.begin());
+                       "the sound set " + rig.sound_set.string() + " has no tool '" + wanted +
+                           "', expected one of " + steel_names(sounds));
   }
   if (sounds.diesels.empty()) sounds.diesels.push_back(default_diesel());
   return sounds;

@@ -29,7 +29,7 @@ std::string index_preamble() {
          stiffness + R"(:
 # of the bit in it; a drill string rings the longer the softer the rock.
 # [[laws]] says how the clicks of some rods and rock go on beyond the outermost banks: slopes over the feed, 1/bar.
-# [[tool]] is a steel, tools/NAME.json. [[background]] is a diesel, backgrounds/NAME.
+# [[tool]] is a steel, tools/NAME.json: kind = "bar" (a jackhammer's tool) or "string" (rods, joints, bit on rock). [[background]] is a diesel, backgrounds/NAME.
 
 format = 1
 )";
@@ -38,10 +38,6 @@ format = 1
 std::string index_bank_text(const BankEntry& entry) {
   return "\n[[bank]]\nname = \"" + entry.name + "\"\nsituation = \"" + std::string(name(entry.situation)) +
          "\"\n" + toml_text(entry);
-}
-
-std::string index_rock_text(const RockEntry& rock) {
-  return index_name_text("rock", rock.name) + toml_text(rock);
 }
 
 std::string index_laws_text(const LawsEntry& laws) { return "\n[[laws]]\n" + toml_text(laws); }

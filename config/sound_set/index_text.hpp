@@ -13,7 +13,6 @@ std::string index_preamble();
 
 /// One [[bank]], [[rock]], [[tool]] or [[background]], a blank line before it.
 std::string index_bank_text(const BankEntry& entry);
-std::string index_rock_text(const RockEntry& rock);
 std::string index_laws_text(const LawsEntry& laws);
 std::string index_name_text(std::string_view kind, std::string_view name);
 

@@ -8,6 +8,7 @@
 #include "sound_set/index_text.hpp"
 #include "sound_set/names.hpp"
 #include "text/read_text.hpp"
+#include "toml/toml_writer.hpp"
 
 namespace rigsound::config {
 namespace fs = std::filesystem;
@@ -29,14 +30,16 @@ std::string new_names(const fs::path& file, std::string_view kind, const std::ve
   return text;
 }
 
-std::string new_rocks(const fs::path& file, const std::vector<RockEntry>& known,
-                      const std::vector<RockEntry>& wanted) {
+/// Texts of the wanted entries that are not known; one wanted twice is added once.
+template <class Entry>
+std::string new_entries(const fs::path& file, std::string_view kind, const std::vector<Entry>& known,
+                        const std::vector<Entry>& wanted) {
   std::string text;
   std::set<std::string> listed;
-  for (const RockEntry& rock : known) listed.insert(rock.name);
-  for (const RockEntry& rock : wanted) {
-    require_name(file, "rock", rock.name);
-    if (listed.insert(rock.name).second) text += index_rock_text(rock);
+  for (const Entry& entry : known) listed.insert(entry.name);
+  for (const Entry& entry : wanted) {
+    require_name(file, kind, entry.name);
+    if (listed.insert(entry.name).second) text += index_name_text(kind, entry.name) + toml_text(entry);
   }
   return text;
 }
@@ -67,8 +70,8 @@ void merge_index(const fs::path& sound_set, const SoundSetIndex& additions) {
   const bool exists = fs::exists(file, error);
   const SoundSetIndex index = exists ? load_index(sound_set) : SoundSetIndex{};
 
-  std::string added = new_rocks(file, index.rocks, additions.rocks) +
-                      new_names(file, "tool", index.tools, additions.tools) +
+  std::string added = new_entries(file, "rock", index.rocks, additions.rocks) +
+                      new_entries(file, "tool", index.tools, additions.tools) +
                       new_names(file, "background", index.backgrounds, additions.backgrounds);
   for (const BankEntry& entry : additions.banks) {
     require_name(file, "bank", entry.name);

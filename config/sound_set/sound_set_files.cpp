@@ -75,8 +75,13 @@ SoundSet load_sound_set(const fs::path& sound_set, double sample_rate) {
   for (const BankEntry& entry : index.banks)
     set.uses.push_back({entry.situation, entry.rods, rock_index(index, entry.rock),
                         shelf.place(entry, set.banks), entry.feed_bar, entry.percussion_bar});
-  for (const std::string& tool : index.tools)
-    set.tools.push_back(load_tool(sound_set / "tools" / (tool + ".json")));
+  for (const ToolEntry& tool : index.tools) {
+    const fs::path file = sound_set / "tools" / (tool.name + ".json");
+    if (tool.kind == SteelKind::kString)
+      set.strings.push_back(load_string(file));
+    else
+      set.tools.push_back(load_tool(file));
+  }
   for (const std::string& background : index.backgrounds)
     set.diesels.push_back(load_background(sound_set / "backgrounds" / background));
   return set;

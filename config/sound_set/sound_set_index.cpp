@@ -55,18 +55,20 @@ std::vector<std::string> read_names(TomlTable& root, std::string_view key) {
   return names;
 }
 
-std::vector<RockEntry> read_rocks(TomlTable& root) {
-  std::vector<RockEntry> rocks;
-  for (TomlTable& table : root.tables("rock")) {
-    RockEntry rock;
-    rock.name = read_name(table);
-    for (const RockEntry& other : rocks)
-      if (other.name == rock.name) table.fail("name", "\"" + rock.name + "\" is listed twice");
-    read(table, rock);
+/// Entries with a name of their own and what their list of fields says.
+template <class Entry>
+std::vector<Entry> read_named(TomlTable& root, std::string_view key) {
+  std::vector<Entry> entries;
+  for (TomlTable& table : root.tables(key)) {
+    Entry entry;
+    entry.name = read_name(table);
+    for (const Entry& other : entries)
+      if (other.name == entry.name) table.fail("name", "\"" + entry.name + "\" is listed twice");
+    read(table, entry);
     table.refuse_unknown();
-    rocks.push_back(rock);
+    entries.push_back(entry);
   }
-  return rocks;
+  return entries;
 }
 
 LawsEntry read_laws(TomlTable& table, const std::vector<RockEntry>& rocks) {
@@ -89,8 +91,8 @@ SoundSetIndex load_index(const std::filesystem::path& sound_set) {
     root.fail("format", "version " + std::to_string(format) + " is not known, expected " +
                             std::to_string(kIndexFormat));
   SoundSetIndex index;
-  index.rocks = read_rocks(root);
-  index.tools = read_names(root, "tool");
+  index.rocks = read_named<RockEntry>(root, "rock");
+  index.tools = read_named<ToolEntry>(root, "tool");
   index.backgrounds = read_names(root, "background");
   for (TomlTable& table : root.tables("laws")) index.laws.push_back(read_laws(table, index.rocks));
   for (TomlTable& table : root.tables("bank")) index.banks.push_back(read_bank(table, index.rocks));

@@ -28,27 +28,41 @@ fs::path put_aside(const fs::path& file) {
   return kept;
 }
 
-}  // namespace
-
-fs::path save_tool(const fs::path& sound_set, const ToolModel& tool) {
+/// Writes tools/NAME.json; a file of that name that says something else is put aside, and where is returned.
+fs::path save(const fs::path& sound_set, const std::string& name, const std::string& text) {
   const fs::path folder = sound_set / "tools";
-  if (!is_name(tool.name))
-    throw InputError(folder.string(), 0, tool.name, "is no tool name, " + std::string(kNameRule));
+  if (!is_name(name))
+    throw InputError(folder.string(), 0, name, "is no tool name, " + std::string(kNameRule));
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw DeviceError(folder.string() + ": cannot be made: " + error.message());
-  const fs::path file = folder / (tool.name + ".json");
-  const std::string text = tool_json(tool);
+  const fs::path file = folder / (name + ".json");
   const bool differs = fs::exists(file) && content_of(file) != text;
   const fs::path kept = differs ? put_aside(file) : fs::path();
   write_file(file, text);
   return kept;
 }
 
+}  // namespace
+
+fs::path save_tool(const fs::path& sound_set, const ToolModel& tool) {
+  return save(sound_set, tool.name, tool_json(tool));
+}
+
+fs::path save_string(const fs::path& sound_set, const StringModel& string) {
+  return save(sound_set, string.name, string_json(string));
+}
+
 ToolModel load_tool(const fs::path& file) {
   ToolModel tool = read_tool_json(JsonFile(file));
   tool.name = file.stem().string();
   return tool;
+}
+
+StringModel load_string(const fs::path& file) {
+  StringModel string = read_string_json(JsonFile(file));
+  string.name = file.stem().string();
+  return string;
 }
 
 }  // namespace rigsound::config

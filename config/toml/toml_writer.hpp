@@ -13,6 +13,11 @@ class TomlWriter {
   void operator()(const char* key, Number x, const Range&) {
     line(key, number_text(static_cast<double>(x)));
   }
+  template <class E, std::size_t N>
+  void operator()(const char* key, E value, const Word<E> (&words)[N]) {
+    for (const Word<E>& word : words)
+      if (word.second == value) line(key, "\"" + std::string(word.first) + "\"");
+  }
   void operator()(const char* key, const std::string& text) { line(key, "\"" + text + "\""); }
 
   const std::string& text() const { return text_; }

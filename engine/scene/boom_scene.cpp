@@ -17,12 +17,18 @@ constexpr double kBurstFall_s = 0.08;
 constexpr double kArrived_bar = 0.01, kArrived_rods = 0.005;
 // How much louder than a mean impact a rod breaks.
 constexpr double kSnap = 6;
+// Share of a rod outside the hole where no bus says how far it is in.
+constexpr double kExposed = 0.5;
 constexpr double kDbPerNeper = 20 / dsp::kLn10;
 
 Voicing voicing_of(Situation s) noexcept {
   return s == Situation::kClosedRattling ? Voicing::kClosedRattling
          : s == Situation::kOpenRattling ? Voicing::kOpenRattling
                                          : Voicing::kDrilling;
+}
+
+double rod_length_of(const BoomOptions& boom, const SoundSet& sounds) noexcept {
+  return boom.drill_string >= 0 ? sounds.strings[boom.drill_string].rod_length_m : 0.0;
 }
 
 /// Towards `target`, and there once it is near; returns whether it moved.
@@ -35,7 +41,7 @@ bool approach(double& value, double target, double remainder, double arrived) no
 
 }  // namespace
 
-BoomScene::BoomScene(const EngineOptions& options, const SoundSet& sounds)
+BoomScene::BoomScene(const EngineOptions& options, const SoundSet& sounds, int index)
     : sounds_(&sounds),
       sample_rate_(options.sample_rate),
       points_(feed_points(options.scene)),
@@ -46,7 +52,9 @@ BoomScene::BoomScene(const EngineOptions& options, const SoundSet& sounds)
       burst_chunks_(options.scene.open_burst_s * options.sample_rate / kChunk),
       sustain_gain_(dsp::gain_of_db(options.scene.open_sustain_db)),
       burst_fall_(dsp::one_pole_remainder(kBurstFall_s, kChunk, options.sample_rate)),
-      rule_(options.scene) {
+      rule_(options.scene),
+      contact_bar_(options.scene.contact_bar),
+      rod_length_m_(rod_length_of(options.booms[index], sounds)) {
   set(BoomState{});
   power_[static_cast<int>(voicing_of(rule_.situation()))] = 1;
 }
@@ -58,9 +66,19 @@ void BoomScene::set(const BoomState& state) noexcept {
   rule_.update(state);
   if (opens) burst_left_ = burst_chunks_, burst_gain_ = 1;
   tool_.rods = state.rod_count;
+  set_string(state);
   moved_ = true;
   place_rattling(Voicing::kClosedRattling, Situation::kClosedRattling);
   place_rattling(Voicing::kOpenRattling, Situation::kOpenRattling);
+}
+
+void BoomScene::set_string(const BoomState& state) noexcept {
+  const int rocks = static_cast<int>(sounds_->rocks.size());
+  const double in_hole_m = static_cast<double>(state.feed_position_m);
+  string_.rods = state.rod_count;
+  string_.rock_stiffness = (state.rock < rocks ? sounds_->rocks[state.rock] : Rock{}).stiffness;
+  string_.exposed_m = in_hole_m >= 0 ? std::max(0.0, rod_length_m_ - in_hole_m) : kExposed * rod_length_m_;
+  string_.broken = state.rod_broken == RodBroken::kYes;
 }
 
 void BoomScene::place_rattling(Voicing voicing, Situation situation) noexcept {
@@ -82,6 +100,8 @@ void BoomScene::follow_feed() noexcept {
 
 void BoomScene::place_drilling() noexcept {
   place_ = axis_.place(feed_, rods_, state_.rock);
+  // The bit touches the rock over the contact threshold and is pressed on fully at overfeed.
+  string_.contact = std::clamp((feed_ - contact_bar_) / (points_.overfeed - contact_bar_), 0.0, 1.0);
   const double pressure = static_cast<double>(state_.percussion_pressure_bar);
   if (pressure >= 0 && place_.percussion_bar > 0) {
     // Impact energy goes with the percussion pressure, the rate with its root.
@@ -153,7 +173,7 @@ void BoomScene::blend_statistics() noexcept {
                                     static_cast<double>(state_.percussion_rate_hz), state_.controls);
     statistics_ = impact::blend(statistics_, own, power_[v] / total);
   }
-  if (statistics_.mean_gap_samples > 0) tool_.period = statistics_.mean_gap_samples;
+  if (statistics_.mean_gap_samples > 0) tool_.period = string_.period = statistics_.mean_gap_samples;
 }
 
 void BoomScene::advance() noexcept {

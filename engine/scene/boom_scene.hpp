@@ -10,6 +10,7 @@
 #include "rigsound/options.hpp"
 #include "rigsound/sound_set.hpp"
 #include "scene/feed_axis.hpp"
+#include "string/string_input.hpp"
 #include "tool/tool_input.hpp"
 
 namespace rigsound::scene {
@@ -17,7 +18,7 @@ namespace rigsound::scene {
 class BoomScene {
  public:
   /// `sounds` must outlive it. Thread: OFF.
-  BoomScene(const EngineOptions& options, const SoundSet& sounds);
+  BoomScene(const EngineOptions& options, const SoundSet& sounds, int index);
 
   /// A new state, at a block's start. Thread: RT.
   void set(const BoomState& state) noexcept;
@@ -28,6 +29,7 @@ class BoomScene {
   const impact::Statistics& impacts() const noexcept { return statistics_; }
   const drill::DrillInput& drill() const noexcept { return drill_; }
   const tool::ToolInput& tool() const noexcept { return tool_; }
+  const string::StringInput& rods() const noexcept { return string_; }
   bool hammering() const noexcept { return rule_.hammering(); }
 
   Situation situation() const noexcept { return rule_.situation(); }
@@ -40,6 +42,7 @@ class BoomScene {
   double burst_gain() noexcept;
   void follow_feed() noexcept;
   void place_drilling() noexcept;
+  void set_string(const BoomState& state) noexcept;
   void place_rattling(drill::Voicing voicing, Situation situation) noexcept;
   void blend_statistics() noexcept;
   impact::Statistics drilling_statistics() const noexcept;
@@ -52,6 +55,7 @@ class BoomScene {
   double feed_remainder_, rods_remainder_;  ///< of the way to the target that is left after a chunk
   double burst_chunks_, sustain_gain_, burst_fall_;
   FeedRule rule_;
+  double contact_bar_, rod_length_m_;
   BoomState state_;
   double feed_ = 0, rods_ = 1;  ///< smoothed
   bool moved_ = true;           ///< the place on the axis has to be found anew
@@ -59,6 +63,7 @@ class BoomScene {
   std::array<double, drill::kVoicings> power_{};  ///< sums to 1
   drill::DrillInput drill_;
   tool::ToolInput tool_;
+  string::StringInput string_;
   impact::Statistics statistics_;
   bool snap_ = false;      ///< a rod breaks in the next chunk
   double burst_left_ = 0;  ///< chunks

@@ -25,8 +25,40 @@ LongitudinalString::LongitudinalString(const StringModel& model, double sample_r
   for (int rods = 1; rods <= kMaxRods; ++rods) tunings_.push_back(tune_string(model, rods, sample_rate));
   stride_ = longest_delay(tunings_) + kBehind + kSlack;
   memory_.assign(static_cast<std::size_t>(stride_) * kMaxLines, 0.0);
-  for (int j = 0; j < kMaxLines; ++j) state_.line[j] = memory_.data() + j * stride_;
+  place_lines();
   restring(model.rods);
+}
+
+LongitudinalString::LongitudinalString(const LongitudinalString& other)
+    : kernel_(other.kernel_),
+      tunings_(other.tunings_),
+      memory_(other.memory_),
+      stride_(other.stride_),
+      guided_samples_(other.guided_samples_),
+      contact_(other.contact_),
+      rods_(other.rods_),
+      block_(other.block_),
+      sleeve_impedance_(other.sleeve_impedance_),
+      state_(other.state_),
+      bit_(other.bit_) {
+  place_lines();
+}
+
+LongitudinalString& LongitudinalString::operator=(const LongitudinalString& other) noexcept {
+  if (this == &other) return *this;
+  std::copy(other.memory_.begin(), other.memory_.end(), memory_.begin());
+  contact_ = other.contact_;
+  rods_ = other.rods_;
+  block_ = other.block_;
+  sleeve_impedance_ = other.sleeve_impedance_;
+  state_ = other.state_;
+  bit_ = other.bit_;
+  place_lines();
+  return *this;
+}
+
+void LongitudinalString::place_lines() noexcept {
+  for (int j = 0; j < kMaxLines; ++j) state_.line[j] = memory_.data() + j * stride_;
 }
 
 void LongitudinalString::restring(int rods) noexcept {

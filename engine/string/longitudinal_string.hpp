@@ -15,7 +15,9 @@ class LongitudinalString {
   LongitudinalString(const StringModel& model, double sample_rate, LaneWidth width);
 
   LongitudinalString(LongitudinalString&&) = default;  // the lines stay where they are
-  LongitudinalString(const LongitudinalString&) = delete;
+  LongitudinalString(const LongitudinalString& other);
+  /// Takes over a string of the same model without allocating. Thread: RT.
+  LongitudinalString& operator=(const LongitudinalString& other) noexcept;
 
   /// Silence, and `rods` 1...kMaxRods from now on, in one piece. Thread: RT.
   void restring(int rods) noexcept;
@@ -37,6 +39,7 @@ class LongitudinalString {
   void silence() noexcept;
 
  private:
+  void place_lines() noexcept;
   void make_room() noexcept;
   void place_losses() noexcept;
 

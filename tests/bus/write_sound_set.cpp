@@ -21,7 +21,7 @@ config::SoundSetIndex write(const SoundSet& sounds, const std::filesystem::path&
   }
   for (const ToolModel& tool : sounds.tools) {
     config::save_tool(folder, tool);
-    index.tools.push_back(tool.name);
+    index.tools.push_back({tool.name});
   }
   for (DieselModel background : sounds.diesels) {
     background.name = "diesel";  // its own has a space, which a folder may not

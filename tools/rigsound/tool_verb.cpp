@@ -107,7 +107,7 @@ void run(const ToolOptions& o) {
     if (const auto kept = config::save_tool(o.sound_set, model); !kept.empty())
       fmt::print(stderr, "{} was there and differed: kept as {}\n", model.name, kept.string());
     config::SoundSetIndex index;
-    index.tools = {model.name};
+    index.tools = {{model.name}};
     config::merge_index(o.sound_set, index);
   }
   if (!o.plot.empty())

@@ -16,7 +16,8 @@ struct BoomOptions {
   std::string name = "boom";
   double pan = 0;  ///< -1 left ... +1 right, over the first two channels
   double gain_db = 0;
-  int tool = -1;  ///< index into SoundSet::tools; -1: no ringing bar
+  int tool = -1;          ///< index into SoundSet::tools; -1: no ringing bar
+  int drill_string = -1;  ///< index into SoundSet::strings; -1: no ringing string
 };
 
 template <class Archive>

@@ -7,6 +7,7 @@
 #include "rigsound/click_bank.hpp"
 #include "rigsound/diesel_model.hpp"
 #include "rigsound/machine/situation.hpp"
+#include "rigsound/string_model.hpp"
 #include "rigsound/tool_model.hpp"
 
 namespace rigsound {
@@ -32,7 +33,7 @@ struct FeedLaws {
 
 struct Rock {
   std::string name;
-  double stiffness = 8e8;  ///< N/m, loading stiffness of the bit in it
+  double stiffness = 2e8;  ///< N/m, loading stiffness of the bit in it
 };
 
 struct SoundSet {
@@ -40,7 +41,8 @@ struct SoundSet {
   std::vector<BankUse> uses;
   std::vector<FeedLaws> laws;
   std::vector<Rock> rocks;
-  std::vector<ToolModel> tools;
+  std::vector<ToolModel> tools;      ///< bars
+  std::vector<StringModel> strings;  ///< drill strings
   std::vector<DieselModel> diesels;
 };
 

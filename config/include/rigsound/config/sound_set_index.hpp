@@ -1,6 +1,7 @@
 // soundset.toml: which bank serves which situation, rods and rock. Written by analyze, edited by people.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -48,6 +49,20 @@ void fields(Archive& a, RockEntry& o) {
   a("stiffness", o.stiffness, kRockStiffnesses);
 }
 
+enum class SteelKind : std::uint8_t { kBar, kString };
+constexpr Word<SteelKind> kSteelKinds[] = {{"bar", SteelKind::kBar}, {"string", SteelKind::kString}};
+
+/// One [[tool]]: a jackhammer's bar or a drill string.
+struct ToolEntry {
+  std::string name;
+  SteelKind kind = SteelKind::kBar;
+};
+
+template <class Archive>
+void fields(Archive& a, ToolEntry& o) {
+  a("kind", o.kind, kSteelKinds);
+}
+
 /// One [[laws]]: how the clicks of a rod count and a rock go on beyond the outermost banks, a bar of feed.
 struct LawsEntry {
   std::string rock;  ///< name of a [[rock]]; empty: any
@@ -70,7 +85,7 @@ struct SoundSetIndex {
   std::vector<BankEntry> banks;
   std::vector<LawsEntry> laws;
   std::vector<RockEntry> rocks;          ///< in the order the machine signal `rock` counts them
-  std::vector<std::string> tools;        ///< tools/NAME.json
+  std::vector<ToolEntry> tools;          ///< tools/NAME.json
   std::vector<std::string> backgrounds;  ///< backgrounds/NAME
 };
 

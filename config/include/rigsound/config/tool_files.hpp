@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "rigsound/string_model.hpp"
 #include "rigsound/tool_model.hpp"
 
 namespace rigsound::config {
@@ -13,5 +14,9 @@ std::filesystem::path save_tool(const std::filesystem::path& sound_set, const To
 
 /// Reads SET/tools/NAME.json, every value checked. Errors: InputError. Thread: OFF.
 ToolModel load_tool(const std::filesystem::path& file);
+
+/// The same for a drill string.
+std::filesystem::path save_string(const std::filesystem::path& sound_set, const StringModel& string);
+StringModel load_string(const std::filesystem::path& file);
 
 }  // namespace rigsound::config

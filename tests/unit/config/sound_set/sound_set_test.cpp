@@ -67,10 +67,14 @@ TEST_CASE("a sound set loads at the engine's rate, each bank once, its trims add
   tool.name = "hex25";
   tool.bar.length_m = 0.45;
   config::save_tool(set.path, tool);
+  StringModel rods;
+  rods.name = "rods38";
+  rods.rod_length_m = 4.27;
+  config::save_string(set.path, rods);
   DieselModel diesel = default_diesel();
   diesel.name = "diesel";
   config::save_background(set.path, diesel);
-  index.tools = {"hex25"};
+  index.tools = {{"hex25"}, {"rods38", config::SteelKind::kString}};
   index.backgrounds = {"diesel"};
   config::merge_index(set.path, index);
 
@@ -89,9 +93,10 @@ TEST_CASE("a sound set loads at the engine's rate, each bank once, its trims add
   CHECK(loaded.rocks[0].name == "granite");
   CHECK(loaded.rocks[1].name == "limestone");
   CHECK(loaded.rocks[1].stiffness == 3e8);
-  CHECK(loaded.rocks[1].stiffness == 3e8);
   REQUIRE(loaded.tools.size() == 1);
   CHECK(loaded.tools[0].bar.length_m == 0.45);
+  REQUIRE(loaded.strings.size() == 1);
+  CHECK(loaded.strings[0].rod_length_m == 4.27);
   REQUIRE(loaded.diesels.size() == 1);
   CHECK(loaded.diesels[0].name == "diesel");
 }

@@ -114,7 +114,7 @@ TEST_CASE("impacts come at the rate asked for, 5 to 120 Hz, whatever feed and ro
   const EngineOptions options = tools::full_options();
   for (const double rate : {5.0, 23.0, 60.0, 120.0})
     for (const double feed : {30.0, 110.0, 250.0}) {
-      scene::BoomScene boom(options, sounds);
+      scene::BoomScene boom(options, sounds, 0);
       impact::ImpactTrain train(5, 0);
       BoomState state;
       state.feed_pressure_bar = static_cast<float>(feed);
@@ -147,7 +147,7 @@ TEST_CASE(
   const SoundSet sounds = tools::formula_sounds();
   const EngineOptions options = tools::full_options();
   const auto at = [&](double bar) {
-    scene::BoomScene boom(options, sounds);
+    scene::BoomScene boom(options, sounds, 0);
     BoomState state;
     state.feed_pressure_bar = 90;
     state.percussion_pressure_bar = static_cast<float>(bar);
@@ -166,7 +166,7 @@ TEST_CASE(
 
 TEST_CASE("a steady rig is placed once, not every chunk") {
   const SoundSet sounds = tools::formula_sounds();
-  scene::BoomScene boom(tools::full_options(), sounds);
+  scene::BoomScene boom(tools::full_options(), sounds, 0);
   BoomState state;
   state.feed_pressure_bar = 110;
   boom.set(state);
@@ -251,4 +251,50 @@ TEST_CASE("a rod that breaks is heard once, loud, and then strikes air until it 
   CHECK_FALSE(silent(air));
   state.boom[0].feed_pressure_bar = 0;  // a parted string cannot feel the feed: the same sound goes on
   CHECK(peak(played(engine, state, 750)) < 2 * peak(air));
+}
+
+namespace {
+
+/// Formula sounds with a drill string on the first boom; two rocks.
+struct Strung {
+  Strung() : sounds(tools::formula_sounds()) {
+    sounds.diesels.clear();
+    sounds.strings.emplace_back();
+    sounds.rocks = {{"soft", 5e7}, {"hard", 2e9}};
+    options.booms[0].drill_string = 0;
+    options.mix.drill_db = -60;
+    options.mix.tool_db = 0;
+  }
+  std::vector<float> play(const MachineState& state, int blocks = 1500) const {
+    Engine engine(options, sounds);
+    return played(engine, state, blocks);
+  }
+  SoundSet sounds;
+  EngineOptions options;
+};
+
+}  // namespace
+
+TEST_CASE(
+    "rods, rock and the rod's place in the hole are in the sound of a drill string, and reset begins it "
+    "anew") {
+  const Strung strung;
+  MachineState state;
+  state.boom[0].feed_pressure_bar = 90;
+  const std::vector<float> one = strung.play(state);
+  CHECK_FALSE(silent(one));
+  MachineState other = state;
+  other.boom[0].rod_count = 6;
+  CHECK(strung.play(other) != one);
+  other = state, other.boom[0].rock = 1;
+  CHECK(strung.play(other) != one);
+  other = state, other.boom[0].feed_position_m = 3;
+  CHECK(strung.play(other) != one);
+
+  Engine used(strung.options, strung.sounds), fresh(strung.options, strung.sounds);
+  MachineState reset = state;
+  reset.simulation = Simulation::kReset;
+  other.boom[0].rod_count = 3;
+  played(used, other, 1000), played(used, reset, 500);
+  CHECK(played(used, state, 1000) == played(fresh, state, 1000));
 }

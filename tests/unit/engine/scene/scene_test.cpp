@@ -77,7 +77,7 @@ TEST_CASE("the bank with the right rock and the nearest rod count is chosen") {
 TEST_CASE("a crossfade has equal power at every chunk and takes crossfade_s") {
   const SoundSet sounds = tools::formula_sounds();
   const EngineOptions options = tools::full_options();
-  scene::BoomScene boom(options, sounds);
+  scene::BoomScene boom(options, sounds, 0);
   boom.set(fed(90));
   for (int i = 0; i < 1000; ++i) boom.advance();
   boom.set(fed(90, Rattling::kClosed));
@@ -96,7 +96,7 @@ TEST_CASE("a crossfade has equal power at every chunk and takes crossfade_s") {
 TEST_CASE("open rattling starts with its burst and settles") {
   const SoundSet sounds = tools::formula_sounds();
   const EngineOptions options = tools::full_options();
-  scene::BoomScene boom(options, sounds);
+  scene::BoomScene boom(options, sounds, 0);
   boom.set(fed(0, Rattling::kOpen));
   const auto gain_after = [&](double seconds) {
     for (int i = 0; i < static_cast<int>(seconds * options.sample_rate / kChunk); ++i) boom.advance();
