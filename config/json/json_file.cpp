@@ -32,32 +32,30 @@ std::string kind(const nlohmann::json& value) {
 }  // namespace
 
 struct JsonFile::Document {
+  explicit Document(const std::filesystem::path& path) : file(path.string()), text(read_text(path)) {
+    if (const std::size_t deep = position_below(text, kMaxDepth); deep != kNowhere)
+      refuse(line_at(text, deep), "has brackets more than " + std::to_string(kMaxDepth) +
+                                      " levels deep, expected a file that rigsound writes");
+    try {
+      root = nlohmann::json::parse(text);
+    } catch (const nlohmann::json::out_of_range&) {
+      refuse(0, "holds a number too large to represent");
+    } catch (const nlohmann::json::parse_error& error) {
+      refuse(line_at(text, error.byte), "is not valid JSON here");
+    }
+    if (!root.is_object()) refuse(1, "is no JSON object, expected { \"format\": ... }");
+  }
+
+  [[noreturn]] void refuse(int line, std::string_view problem) const {
+    throw InputError(file, line, {}, problem);
+  }
+
   std::string file, text;
   nlohmann::json root;
 };
 
-JsonFile::JsonFile(const std::filesystem::path& file) : position_(0) {
-  auto document = std::make_shared<Document>();
-  document->file = file.string();
-  document->text = read_text(file);
-  const std::string& text = document->text;
-  const auto refuse = [&](int line, std::string_view problem) {
-    throw InputError(document->file, line, {}, problem);
-  };
-  if (const std::size_t deep = position_below(text, kMaxDepth); deep != kNowhere)
-    refuse(line_at(text, deep), "has brackets more than " + std::to_string(kMaxDepth) +
-                                    " levels deep, expected a file that rigsound writes");
-  try {
-    document->root = nlohmann::json::parse(text);
-  } catch (const nlohmann::json::out_of_range&) {
-    refuse(0, "holds a number too large to represent");
-  } catch (const nlohmann::json::parse_error& error) {
-    refuse(line_at(text, error.byte), "is not valid JSON here");
-  }
-  if (!document->root.is_object()) refuse(1, "is no JSON object, expected { \"format\": ... }");
-  node_ = &document->root;
-  document_ = std::move(document);
-}
+JsonFile::JsonFile(const std::filesystem::path& file)
+    : document_(std::make_shared<Document>(file)), node_(&document_->root), position_(0) {}
 
 JsonFile::JsonFile(const JsonFile& outer, const nlohmann::json& item, const std::string& path,
                    std::size_t position)

@@ -40,10 +40,10 @@ struct ClickBank {
 /// The numbers of bank.json. Times are samples of banks of any rate.
 template <class Archive>
 void fields(Archive& a, ClickBank& o) {
-  constexpr double kMaxRate = 192000;
+  constexpr double kMinRate = 8000, kMaxRate = 192000;
   constexpr Range kCorrelations{-0.99, 0.99}, kShares{0, 1};
-  a("sample_rate", o.sample_rate, Range{8000, kMaxRate, "Hz"}.whole());
-  a("T0", o.mean_gap_samples, Range{8000 / 200, kMaxRate, "samples"});
+  a("sample_rate", o.sample_rate, Range{kMinRate, kMaxRate, "Hz"}.whole());
+  a("T0", o.mean_gap_samples, Range{kMinRate / 200, kMaxRate, "samples"});
   a("sigma_T", o.gap_deviation_samples, Range{0, 2 * kMaxRate, "samples"});
   a("r_T", o.gap_correlation, kCorrelations);
   a("p_miss", o.miss_share, kShares);
