@@ -19,7 +19,7 @@ class BandShares {
  public:
   BandShares() : frame_(kTransform) {
     fft_.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-    const double octaves = std::log(kTransform / 2 / kLowestBin);
+    const double octaves = std::log(0.5 * kTransform / kLowestBin);
     for (int b = 0; b <= kCoverBands; ++b)
       edges_.push_back(static_cast<int>(kLowestBin * std::exp(octaves * b / kCoverBands) + 1e-9));
   }
