@@ -43,8 +43,9 @@ std::vector<double> body_autocorrelation(const std::vector<double>& x, const std
   const auto edge = static_cast<std::size_t>(kEdge * nyquist_hz / kAnalysisRate * size);
   const std::size_t half = power.size() / 2;
   if (nyquist_hz < kAnalysisRate / 2 && edge < half) {
+    const std::size_t width = edge / 16;
     double level = 0;
-    for (std::size_t i = edge - edge / 16; i < edge; ++i) level += power[i] / static_cast<double>(edge / 16);
+    for (std::size_t i = edge - width; i < edge; ++i) level += power[i] / static_cast<double>(width);
     for (std::size_t i = edge; i <= half; ++i) power[i] = power[power.size() - i] = level;
   }
   dsp::Fft<double>(size).inverse(power.data(), im.data());
