@@ -27,34 +27,24 @@ void set_boom(MachineState& state, int boom, double value) {
   assign(state.boom[boom].*Member, value);
 }
 
-#define RIGSOUND_RIG_INFO(id, member, type, unit, min, max, absent, idle, action, kind, words, meaning) \
-  {#member,                                                                                             \
-   unit,                                                                                                \
-   min,                                                                                                 \
-   max,                                                                                                 \
-   absent,                                                                                              \
-   idle,                                                                                                \
-   SafetyAction::action,                                                                                \
-   SignalKind::kind,                                                                                    \
-   words,                                                                                               \
-   meaning,                                                                                             \
-   false,                                                                                               \
-   &get_rig<&MachineState::member>,                                                                     \
-   &set_rig<&MachineState::member>},
-#define RIGSOUND_BOOM_INFO(id, member, type, unit, min, max, absent, idle, action, kind, words, meaning) \
-  {#member,                                                                                              \
-   unit,                                                                                                 \
-   min,                                                                                                  \
-   max,                                                                                                  \
-   absent,                                                                                               \
-   idle,                                                                                                 \
-   SafetyAction::action,                                                                                 \
-   SignalKind::kind,                                                                                     \
-   words,                                                                                                \
-   meaning,                                                                                              \
-   true,                                                                                                 \
-   &get_boom<&BoomState::member>,                                                                        \
-   &set_boom<&BoomState::member>},
+// A line of the list as SignalInfo; `access`: rig or boom, whose state holds the field.
+#define RIGSOUND_INFO(access, State, is_per_boom, member, unit, min, max, absent, idle, action, kind, words, \
+                      meaning)                                                                               \
+  {#member,                                                                                                  \
+   unit,                                                                                                     \
+   min,                                                                                                      \
+   max,                                                                                                      \
+   absent,                                                                                                   \
+   idle,                                                                                                     \
+   SafetyAction::action,                                                                                     \
+   SignalKind::kind,                                                                                         \
+   words,                                                                                                    \
+   meaning,                                                                                                  \
+   is_per_boom,                                                                                              \
+   &get_##access<&State::member>,                                                                            \
+   &set_##access<&State::member>},
+#define RIGSOUND_RIG_INFO(id, member, type, ...) RIGSOUND_INFO(rig, MachineState, false, member, __VA_ARGS__)
+#define RIGSOUND_BOOM_INFO(id, member, type, ...) RIGSOUND_INFO(boom, BoomState, true, member, __VA_ARGS__)
 #define RIGSOUND_CONTROL_INFO(member, unit, min, max, neutral, kind, meaning) \
   {#member, unit, min, max, neutral, SignalKind::kind, meaning, &DrillControls::member},
 
