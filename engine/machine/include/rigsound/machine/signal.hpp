@@ -19,9 +19,9 @@ enum class Signal : std::uint8_t { RIGSOUND_RIG_SIGNALS(RIGSOUND_ID) RIGSOUND_BO
 enum class SignalKind : std::uint8_t {
   kNumber,         ///< fades
   kClampedNumber,  ///< the same; up to twice its range it is brought to its upper end, and counted
-  kNumberOrZero,  ///< the same; 0 says that no value is given
-  kWhole,         ///< whole numbers, never fades
-  kWord,          ///< one of the list's words, never fades
+  kNumberOrZero,   ///< the same; 0 says that no value is given
+  kWhole,          ///< whole numbers, never fades
+  kWord,           ///< one of the list's words, never fades
 };
 
 struct SignalInfo {
