@@ -1,12 +1,12 @@
 #include "rigsound/machine/machine_state.hpp"
 
-#include <cstddef>
+#include <array>
 
 namespace rigsound {
 
 bool operator==(const MachineState& a, const MachineState& b) noexcept {
   constexpr int kMostFields = 256;
-  double fields[kMostFields];
+  std::array<double, kMostFields> fields{};
   int count = 0, other = 0;
   bool equal = true;
   for_each_field(a, [&](const auto& field) { fields[count++] = static_cast<double>(field); });
