@@ -117,7 +117,7 @@ StringTuning tune_string(const StringModel& model, int rods, double sample_rate)
   double rods_gain = 0;
   fit_sleeve(model, sample_rate, tuning, rods_gain);
   const double sleeve = round_trip_samples(model.sleeve_length_m, sample_rate);
-  double wanted[kMaxLines];
+  double wanted[kMaxLines] = {};
   for (int j = 0; j <= tuning.joints; ++j) {
     const bool is_shank = j == 0 && model.shank_length_m > 0;
     const double beside = (j > 0 ? 0.5 : 0) + (j < tuning.joints ? 0.5 : 0);  // sleeves that cover it

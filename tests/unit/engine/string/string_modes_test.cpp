@@ -89,7 +89,8 @@ TEST_CASE("bending modes are the exact free-free Timoshenko modes of what is exp
       const auto modes = family(plain_string(L, d), L * share, "bending");
       REQUIRE(modes.size() == exact.size());
       for (std::size_t k = 0; k < exact.size(); ++k) {
-        CAPTURE(L * share);
+        const double exposed_m = L * share;
+        CAPTURE(exposed_m);
         CAPTURE(k + 1);
         CHECK(std::fabs(cents(modes[k].target_hz, exact[k])) < 0.001);
         if (exact[k] > 60) CHECK(std::fabs(cents(modes[k].model_hz, exact[k])) < 2);
