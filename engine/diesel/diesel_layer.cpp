@@ -10,6 +10,7 @@
 #include "rigsound/dsp/butterworth.hpp"
 #include "rigsound/dsp/interpolation_kernel.hpp"
 #include "rigsound/dsp/linear_prediction.hpp"
+#include "rigsound/machine/signal.hpp"
 
 namespace rigsound::diesel {
 namespace {
@@ -74,10 +75,11 @@ class DieselLayer::Voice {
   AngleSpan fine_, coarse_;
 };
 
-/// No flywheel jumps, whatever a state says.
+/// No flywheel jumps, whatever a state says, and an extrapolated speed stays in the signal's range.
 void DieselLayer::Voice::set_speed(double rpm) noexcept {
   const double step = static_cast<double>(kMaxSpeedSlope) * kChunk / sample_rate_;
-  rpm_.go_to(std::clamp(rpm, rpm_.to - step, rpm_.to + step));
+  const double wanted = std::min(rpm, info(Signal::kEngineRpm).max);
+  rpm_.go_to(std::clamp(wanted, rpm_.to - step, rpm_.to + step));
   if (rpm == 0 && rpm_.to < kLowest_rpm) rpm_.to = 0;
 }
 

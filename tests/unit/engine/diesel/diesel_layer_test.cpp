@@ -298,3 +298,8 @@ TEST_CASE("a model that cannot be played is refused by name") {
   refused([](auto& m) { m.hydraulic.flow = std::nan(""); }, "hydraulic.flow: is nan");
   refused([](auto& m) { m.slots = 48; }, "L: is 48, expected a power of two");
 }
+
+TEST_CASE("a speed extrapolated beyond the signal's range is heard as its end") {
+  DieselLayer at_end({default_diesel()}, kRate, 1, 800), beyond({default_diesel()}, kRate, 1, 800);
+  CHECK(play(at_end, {4000, 0.5, 0.5}, 1.5) == play(beyond, {5500, 0.5, 0.5}, 1.5));
+}
