@@ -1,17 +1,21 @@
 #include "rigsound/machine/machine_state.hpp"
 
-#include <array>
-
 namespace rigsound {
+namespace {
+
+#define RIGSOUND_SAME_SIGNAL(id, member, ...) &&a.member == b.member
+#define RIGSOUND_SAME_CONTROL(member, ...) &&a.controls.member == b.controls.member
+
+bool same(const BoomState& a, const BoomState& b) noexcept {
+  return true RIGSOUND_BOOM_SIGNALS(RIGSOUND_SAME_SIGNAL) RIGSOUND_DRILL_CONTROLS(RIGSOUND_SAME_CONTROL);
+}
+
+}  // namespace
 
 bool operator==(const MachineState& a, const MachineState& b) noexcept {
-  constexpr int kMostFields = 256;
-  std::array<double, kMostFields> fields{};
-  int count = 0, other = 0;
-  bool equal = true;
-  for_each_field(a, [&](const auto& field) { fields[count++] = static_cast<double>(field); });
-  for_each_field(b,
-                 [&](const auto& field) { equal = equal && fields[other++] == static_cast<double>(field); });
+  bool equal = a.engine_rpm_slope == b.engine_rpm_slope &&
+               a.output_gain == b.output_gain RIGSOUND_RIG_SIGNALS(RIGSOUND_SAME_SIGNAL);
+  for (int i = 0; equal && i < kMaxBooms; ++i) equal = same(a.boom[i], b.boom[i]);
   return equal;
 }
 

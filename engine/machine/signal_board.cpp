@@ -15,13 +15,15 @@ Validity SignalBoard::take(const Reading& reading) noexcept {
   const SignalInfo& limits = info(reading.id.signal);
   Validity validity = reading.validity;
   double value = reading.value;
-  if (limits.kind == SignalKind::kClampedNumber && value > limits.max && value <= 2 * limits.max) {
-    value = limits.max;
-    ++entry.clamped;
-  }
-  if (validity == Validity::kValid && !limits.takes(value)) {
-    validity = Validity::kOutOfRange;
-    entry.last_refused = reading.value;
+  if (validity == Validity::kValid) {
+    if (limits.kind == SignalKind::kClampedNumber && value > limits.max && value <= 2 * limits.max) {
+      value = limits.max;
+      ++entry.clamped;
+    }
+    if (!limits.takes(value)) {
+      validity = Validity::kOutOfRange;
+      entry.last_refused = reading.value;
+    }
   }
   if (validity != Validity::kValid) {
     if (validity != Validity::kBusDown) ++entry.refused;
