@@ -9,8 +9,7 @@
 namespace rigsound::scene {
 namespace {
 
-// Where a trend saturates: how far beyond the outermost bank each parameter can go. The mean gap's own limit
-// is the range of impact rates.
+// Where a trend saturates: how far beyond the outermost bank each parameter can go.
 constexpr double kMostLevel = 1.4;  // 12 dB
 constexpr double kMostDecay = 1.4;  // a factor of 4
 constexpr double kMostVariation = 0.3;
@@ -18,6 +17,25 @@ constexpr double kMostGap = 0.7;  // a factor of 2
 
 /// Straight at first, then smoothly towards +-limit.
 double saturated(double x, double limit) noexcept { return x / std::sqrt(1 + x * x / (limit * limit)); }
+
+/// The two items that `x` lies between, and how far it has gone from the one to the other; beyond an end both
+/// are that end.
+template <class Item>
+struct Neighbours {
+  const Item &low, &high;
+  double share;  ///< 0...1 of `high`
+};
+
+/// `items` rise in `key`; there is at least one. Thread: RT.
+template <class Item, class Number>
+Neighbours<Item> neighbours(const std::vector<Item>& items, Number Item::*key, double x) noexcept {
+  std::size_t above = 0;
+  while (above < items.size() && items[above].*key <= x) ++above;
+  const Item& low = items[above == 0 ? 0 : above - 1];
+  const Item& high = items[std::min(above, items.size() - 1)];
+  const double apart = high.*key - low.*key;
+  return {low, high, apart > 0 ? (x - low.*key) / apart : 0.0};
+}
 
 bool drills(Situation s) noexcept {
   return s == Situation::kUnderfeed || s == Situation::kNormal || s == Situation::kOverfeed;
@@ -58,7 +76,6 @@ double FeedPoints::deviation(double feed_bar) const noexcept {
 FeedAxis::FeedAxis(const SoundSet& sounds, const SceneOptions& options)
     : sounds_(&sounds), options_(options), points_(feed_points(options)) {
   for (int rock = -1; rock < static_cast<int>(sounds.rocks.size()); ++rock) {
-    RockSeries all{rock, {}};
     std::vector<int> counts;
     for (const BankUse& use : sounds.uses)
       if (drills(use.situation) && use.rods > 0 && (use.rock == rock || use.rock < 0))
@@ -66,8 +83,8 @@ FeedAxis::FeedAxis(const SoundSet& sounds, const SceneOptions& options)
     if (counts.empty()) counts.push_back(1);
     std::sort(counts.begin(), counts.end());
     counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
-    for (const int rods : counts) all.series.push_back(series_of(rods, rock));
-    rocks_.push_back(std::move(all));
+    std::vector<Series>& series = rocks_.emplace_back();
+    for (const int rods : counts) series.push_back(series_of(rods, rock));
   }
 }
 
@@ -107,7 +124,7 @@ FeedAxis::Series FeedAxis::series_of(int rods, int rock) const {
   return series;
 }
 
-const FeedAxis::RockSeries& FeedAxis::rock_series(int rock) const noexcept {
+const std::vector<FeedAxis::Series>& FeedAxis::rock_series(int rock) const noexcept {
   const int last = static_cast<int>(rocks_.size()) - 2;
   return rocks_[rock >= 0 && rock <= last ? rock + 1 : 0];
 }
@@ -115,12 +132,7 @@ const FeedAxis::RockSeries& FeedAxis::rock_series(int rock) const noexcept {
 void FeedAxis::add(const Series& series, double feed_bar, double weight, FeedPlace& place) const noexcept {
   const std::vector<Point>& points = series.points;
   if (points.empty() || weight <= 0) return;
-  std::size_t above = 0;
-  while (above < points.size() && points[above].feed_bar <= feed_bar) ++above;
-  const Point& low = points[above == 0 ? 0 : above - 1];
-  const Point& high = points[std::min(above, points.size() - 1)];
-  const double bar = high.feed_bar - low.feed_bar;
-  const double w = bar > 0 ? (feed_bar - low.feed_bar) / bar : 0.0;
+  const auto [low, high, w] = neighbours(points, &Point::feed_bar, feed_bar);
   place.banks.add(sounds_->banks[low.bank], weight * (1 - w));
   place.banks.add(sounds_->banks[high.bank], weight * w);
   place.percussion_bar += weight * (low.percussion_bar + w * (high.percussion_bar - low.percussion_bar));
@@ -136,13 +148,7 @@ void FeedAxis::add(const Series& series, double feed_bar, double weight, FeedPla
 }
 
 FeedPlace FeedAxis::place(double feed_bar, double rods, int rock) const noexcept {
-  const std::vector<Series>& series = rock_series(rock).series;
-  std::size_t above = 0;
-  while (above < series.size() && series[above].rods <= rods) ++above;
-  const Series& fewer = series[above == 0 ? 0 : above - 1];
-  const Series& more = series[std::min(above, series.size() - 1)];
-  const int apart = more.rods - fewer.rods;
-  const double w = apart > 0 ? (rods - fewer.rods) / apart : 0.0;
+  const auto [fewer, more, w] = neighbours(rock_series(rock), &Series::rods, rods);
   FeedPlace place;
   add(fewer, feed_bar, 1 - w, place);
   add(more, feed_bar, w, place);

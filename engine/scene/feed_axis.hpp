@@ -45,20 +45,14 @@ class FeedAxis {
     std::vector<Point> points;
     FeedLaws below, above;  ///< slopes at the two ends
   };
-  /// The series of one rock, rising in rods.
-  struct RockSeries {
-    int rock;  ///< -1: any
-    std::vector<Series> series;
-  };
-
   Series series_of(int rods, int rock) const;
   void add(const Series& series, double feed_bar, double weight, FeedPlace& place) const noexcept;
-  const RockSeries& rock_series(int rock) const noexcept;
+  const std::vector<Series>& rock_series(int rock) const noexcept;
 
   const SoundSet* sounds_;
   SceneOptions options_;
   FeedPoints points_;
-  std::vector<RockSeries> rocks_;
+  std::vector<std::vector<Series>> rocks_;  ///< of any rock, then of each; rising in rods
 };
 
 }  // namespace rigsound::scene
