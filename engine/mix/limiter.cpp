@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "rigsound/dsp/elementary.hpp"
+#include "rigsound/dsp/ramp.hpp"
 
 namespace rigsound::mix {
 namespace {
@@ -14,7 +14,7 @@ constexpr double kAbsurd = 1e9;                // a layer that gets here has fai
 }  // namespace
 
 Limiter::Limiter(double ceiling, int channels, double sample_rate) noexcept
-    : ceiling_(ceiling), release_(dsp::exp(-1 / (kRelease_s * sample_rate))), channels_(channels) {}
+    : ceiling_(ceiling), release_(dsp::one_pole_remainder(kRelease_s, 1, sample_rate)), channels_(channels) {}
 
 void Limiter::process(double (*x)[kChunk]) noexcept {
   double allowed[kChunk];

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "rigsound/dsp/ramp.hpp"
 #include "rigsound/machine/limits.hpp"
 
 namespace rigsound::tool {
@@ -18,8 +19,7 @@ class RampedCurve {
   void process(double target) noexcept {
     if (rests_ && target == value_) return;
     rests_ = target == value_;
-    for (double& c : curve_)
-      c = value_ = value_ < target ? std::min(target, value_ + step_) : std::max(target, value_ - step_);
+    for (double& c : curve_) c = value_ = dsp::step_towards(value_, target, step_);
   }
 
   const double* curve() const noexcept { return curve_; }
