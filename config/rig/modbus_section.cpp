@@ -1,5 +1,6 @@
 #include "rig/network.hpp"
 #include "rig/sections.hpp"
+#include "rigsound/modbus/exchange.hpp"
 #include "rigsound/socket/host_port.hpp"
 #include "toml/toml_reader.hpp"
 
@@ -10,17 +11,14 @@ using namespace modbus;
 
 constexpr int kDefaultPort = 502;
 
-bool is_bit(Table table) { return table == Table::kCoil || table == Table::kDiscrete; }
-int words(WordType type) { return type == WordType::kInt16 || type == WordType::kUint16 ? 1 : 2; }
-
 RegisterRoute read_register(TomlTable table, SignalId id) {
   RegisterRoute route;
   route.target = id;
   table.require("address", "a register or bit counted from 0");
   read(table, route);
-  if (is_bit(route.table) && (table.has("type") || table.has("word_order")))
+  if (holds_bits(route.table) && (table.has("type") || table.has("word_order")))
     table.fail(table.has("type") ? "type" : "word_order", "does not go with a bit, expected none");
-  if (!is_bit(route.table) && route.address + words(route.type) > 65536)
+  if (route.address + width(route) > 65536)
     table.fail("address", "leaves no room for two registers, expected at most 65534");
   if (route.scale == 0) table.fail("scale", "is 0, expected any other number");
   table.refuse_unknown();

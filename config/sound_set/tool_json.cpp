@@ -1,5 +1,6 @@
 #include "sound_set/tool_json.hpp"
 
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 
 #include "json/json_reader.hpp"
@@ -8,46 +9,45 @@
 
 namespace rigsound::config {
 
-std::string tool_json(const ToolModel& tool) {
+namespace {
+
+template <class Model>
+std::string json_of(const Model& model) {
   nlohmann::ordered_json json;
   json["format"] = kToolFormat;
-  JsonWriter(json).write(tool);
+  JsonWriter(json).write(model);
   return json.dump(2) + "\n";
 }
 
-ToolModel read_tool_json(const JsonFile& json) {
+/// `check` throws InvalidField.
+template <class Model, class Check>
+Model read_json(const JsonFile& json, std::initializer_list<const char*> needed, Check check) {
   json.require_format(kToolFormat);
-  for (const char* needed : {"length_m", "diameter_m"})
-    if (!json.has(needed)) json.fail(needed, "is missing");
-  ToolModel tool;
-  JsonReader(json, JsonKeys::kSome, {"format"}).read(tool);
+  for (const char* key : needed)
+    if (!json.has(key)) json.fail(key, "is missing");
+  Model model;
+  JsonReader(json, JsonKeys::kSome, {"format"}).read(model);
   try {
-    require_valid(tool, kMaxSampleRate);
+    check(model);
   } catch (const InvalidField& error) {
     json.fail(error);
   }
-  return tool;
+  return model;
 }
 
-std::string string_json(const StringModel& string) {
-  nlohmann::ordered_json json;
-  json["format"] = kToolFormat;
-  JsonWriter(json).write(string);
-  return json.dump(2) + "\n";
+}  // namespace
+
+std::string tool_json(const ToolModel& tool) { return json_of(tool); }
+std::string string_json(const StringModel& string) { return json_of(string); }
+
+ToolModel read_tool_json(const JsonFile& json) {
+  return read_json<ToolModel>(json, {"length_m", "diameter_m"},
+                              [](const ToolModel& tool) { require_valid(tool, kMaxSampleRate); });
 }
 
 StringModel read_string_json(const JsonFile& json) {
-  json.require_format(kToolFormat);
-  for (const char* needed : {"rod_length_m", "rod_diameter_m"})
-    if (!json.has(needed)) json.fail(needed, "is missing");
-  StringModel string;
-  JsonReader(json, JsonKeys::kSome, {"format"}).read(string);
-  try {
-    require_valid(string);
-  } catch (const InvalidField& error) {
-    json.fail(error);
-  }
-  return string;
+  return read_json<StringModel>(json, {"rod_length_m", "rod_diameter_m"},
+                                [](const StringModel& string) { require_valid(string); });
 }
 
 }  // namespace rigsound::config
