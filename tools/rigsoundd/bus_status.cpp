@@ -1,6 +1,6 @@
 #include "bus_status.hpp"
 
-#include <spdlog/spdlog.h>
+#include "log.hpp"
 
 namespace rigsound::daemon {
 
@@ -10,20 +10,20 @@ void BusStatus::up() {
   const Lock lock(mutex_);
   up_ = true;
   problem_.clear();
-  spdlog::info("{}: up", name_);
+  log_info(name_ + ": up");
 }
 
 void BusStatus::down(const std::string& why) {
   const Lock lock(mutex_);
   up_ = false;
   problem_ = why;
-  spdlog::warn("{}: down: {}", name_, why);
+  log_warning(name_ + ": down: " + why);
 }
 
 void BusStatus::notice(const std::string& text) {
   const Lock lock(mutex_);
   if (!up_) problem_ = text;
-  spdlog::warn("{}: {}", name_, text);
+  log_warning(name_ + ": " + text);
 }
 
 bool BusStatus::is_up() const {

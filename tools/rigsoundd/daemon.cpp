@@ -1,7 +1,7 @@
 #include "daemon.hpp"
 
+#include <fmt/format.h>
 #include <poll.h>
-#include <spdlog/spdlog.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
 
@@ -9,7 +9,7 @@
 #include <exception>
 
 #include "control_socket.hpp"
-#include "log_setup.hpp"
+#include "log.hpp"
 #include "rigsound/can/can_bus.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/modbus/modbus_bus.hpp"
@@ -47,7 +47,7 @@ Daemon::Daemon(const DaemonOptions& options)
   start_feeds();
   recorder_.expect_run(session_header());
   audio_.start();
-  spdlog::info("audio thread: {}", audio_.scheduling());
+  log_info("audio thread: " + audio_.scheduling());
 }
 
 Daemon::~Daemon() {
@@ -100,7 +100,7 @@ void Daemon::run(int signals) {
   sleep_s((audio.periods + 1) * audio.block / audio.rate);  // the card plays what it has
   audio_.stop();
   recorder_.finish();
-  spdlog::info("stopped after {} blocks", audio_.figures().blocks.load());
+  log_info(fmt::format("stopped after {} blocks", audio_.figures().blocks.load()));
 }
 
 // The engine smooths every gain: it is silent a little after the gate is shut.
@@ -136,8 +136,8 @@ void Daemon::poll_session(double now_s) {
   if (audio_.figures().peak.load(std::memory_order_relaxed) > 0) silent_since_s_ = now_s;
   const bool other_card = recorder_.recording() && recorder_.header().format != session_header().format;
   if (!other_card && !recorder_.wants_new_run(now_s - silent_since_s_)) return;
-  spdlog::info("session: {} {}, the next one begins", recorder_.options().file.string(),
-               other_card ? "was begun for another sample format" : "is full");
+  log_info(fmt::format("session: {} {}, the next one begins", recorder_.options().file.string(),
+                       other_card ? "was begun for another sample format" : "is full"));
   try {
     new_run(build(loaded_.rig));
   } catch (const std::exception& error) {
@@ -166,13 +166,13 @@ ReloadResult Daemon::reload() {
     new_run(std::move(next));
     start_feeds();
     ++reloads_;
-    spdlog::info("reloaded {}", loaded_.rig.file.string());
-    for (const std::string& key : result.not_applied) spdlog::warn("reload: needs a restart: {}", key);
+    log_info("reloaded " + loaded_.rig.file.string());
+    for (const std::string& key : result.not_applied) log_warning("reload: needs a restart: " + key);
   } catch (const std::exception& error) {
     ++failed_reloads_;
     result.error = error.what();
     result.not_applied.clear();
-    spdlog::error("reload refused, the old rig goes on: {}", error.what());
+    log_error(std::string("reload refused, the old rig goes on: ") + error.what());
   }
   service_.ready();
   return result;
@@ -180,7 +180,7 @@ ReloadResult Daemon::reload() {
 
 void Daemon::set_muted(bool muted) {
   exchange_.set_muted(muted, kMuteFade_s);
-  spdlog::info(muted ? "muted" : "unmuted");
+  log_info(muted ? "muted" : "unmuted");
 }
 
 std::vector<std::string> Daemon::boom_names() const {
@@ -203,11 +203,10 @@ void Daemon::report_card() {
   const audio::CardStatus now = card();
   for (std::size_t i = 0; i < now.events.size(); ++i)
     if (now.events[i] != reported_.events[i])
-      spdlog::warn("sound card: {} {}, {} in all", now.events[i] - reported_.events[i], kWords[i],
-                   now.events[i]);
+      log_warning(fmt::format("sound card: {} {}, {} in all", now.events[i] - reported_.events[i], kWords[i],
+                              now.events[i]));
   if (now.description != reported_.description || now.playing != reported_.playing)
-    spdlog::log(now.playing ? spdlog::level::info : spdlog::level::warn, "{}{}",
-                now.playing ? "" : "no sound: ", now.description);
+    now.playing ? log_info(now.description) : log_warning("no sound: " + now.description);
   reported_ = now;
   std::string status = now.playing ? now.description : "no sound: " + now.description;
   for (const auto& feed : feeds_) {

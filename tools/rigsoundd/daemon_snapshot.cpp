@@ -1,5 +1,5 @@
 #include "daemon.hpp"
-#include "log_setup.hpp"
+#include "log.hpp"
 #include "rigsound/monotonic_time.hpp"
 
 namespace rigsound::daemon {

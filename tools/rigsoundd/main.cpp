@@ -4,12 +4,10 @@
 #include <csignal>
 #include <cstdio>
 
-#include <spdlog/spdlog.h>
-
 #include "cli/verb.hpp"
 #include "daemon.hpp"
 #include "locked_memory.hpp"
-#include "log_setup.hpp"
+#include "log.hpp"
 #include "rigsound/device_error.hpp"
 
 using namespace rigsound;
@@ -40,7 +38,7 @@ int serve(const daemon::DaemonOptions& options) {
     const std::string memory = daemon::lock_memory();
     {
       daemon::Daemon daemon(options);
-      spdlog::info("memory {}", memory);
+      daemon::log_info("memory " + memory);
       daemon.run(signals.get());
     }
     daemon::stop_log();

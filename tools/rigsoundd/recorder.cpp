@@ -1,7 +1,6 @@
 #include "recorder.hpp"
 
-#include <spdlog/spdlog.h>
-
+#include "log.hpp"
 #include "rigsound/device_error.hpp"
 
 namespace rigsound::daemon {
@@ -19,7 +18,7 @@ Recorder::Recorder(RecorderOptions options, RunQueue& records, const AudioFigure
 void Recorder::give_up(const std::string& why) {
   problem_ = why;
   writer_.reset();
-  spdlog::error("{}; the sound goes on, this run is no longer recorded", why);
+  log_error(why + "; the sound goes on, this run is no longer recorded");
 }
 
 void Recorder::begin(const RunRecord& first) {
@@ -31,7 +30,7 @@ void Recorder::begin(const RunRecord& first) {
   try {
     session::shift_older_sessions(options_.file, kOlderSessions);
     writer_ = std::make_unique<session::SessionWriter>(options_.file, header_);
-    spdlog::info("session: {}", options_.file.string());
+    log_info("session: " + options_.file.string());
   } catch (const DeviceError& error) {
     give_up(error.what());
   }

@@ -1,4 +1,4 @@
-#include "log_setup.hpp"
+#include "log.hpp"
 
 #include <spdlog/async.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
@@ -31,6 +31,12 @@ void start_log() {
 }
 
 void stop_log() { spdlog::shutdown(); }
+
+void log_info(const std::string& text) { spdlog::info("{}", text); }
+
+void log_warning(const std::string& text) { spdlog::warn("{}", text); }
+
+void log_error(const std::string& text) { spdlog::error("{}", text); }
 
 std::uint64_t lost_log_entries() {
   const auto pool = spdlog::thread_pool();

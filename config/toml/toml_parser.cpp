@@ -1,3 +1,0 @@
-// toml++ itself, compiled here once.
-#define TOML_IMPLEMENTATION
-#include <toml++/toml.h>
