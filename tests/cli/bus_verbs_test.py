@@ -278,6 +278,36 @@ class Render(Case):
         self.assertGreater(float(factor.split()[1]), 0)
         return digest.split()[1]
 
+    def test_states_by_hand_and_a_part_of_the_whole(self):
+        write_sound_set(self.folder / 'set')
+        rig = self.demo_rig()
+        states = self.write('s.csv', 'time_s,signal,value\n0,engine_rpm,1500\n0.1,feed_pressure_bar,90\n'
+                                     '1,rattling,closed\n2,rattling,none\n3,feed_pressure_bar,0\n')
+
+        def render(name, *more):
+            result = run('render', rig, '--states', states, '--out', self.folder / name, *more)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            return data_chunk(self.folder / name)[1], result.stdout
+        whole, said = render('whole.wav')
+        self.assertEqual(said.split()[1], hashlib.sha256(whole).hexdigest())
+        self.assertEqual(len(whole), 2251 * 64 * 2 * 4)  # the last row acts in block 2250, which begins at 3 s
+        block = 64 * 2 * 4
+        part, said = render('part.wav', '--from', 0.5, '--to', 1.5, '--no-hash')
+        self.assertEqual(part, whole[375 * block:1125 * block])
+        self.assertTrue(said.startswith('realtime_factor '))
+        for words, code in ((['--from', 4], 2), (['--from', 2, '--to', 1], 2)):
+            result = run('render', rig, '--states', states, '--out', self.folder / 'none.wav', *words)
+            self.assertEqual(result.returncode, code, result.stderr)
+            self.assertFalse((self.folder / 'none.wav').exists())
+
+    def test_states_that_are_none(self):
+        write_sound_set(self.folder / 'set')
+        rig = self.demo_rig()
+        for text, parts in (('time_s,signal,value\n0,engine_rpn,1500\n', (':2', 'engine_rpn')),
+                            ('time_s,signal,value\n0,left.rock,1\n', ("no boom 'left'", 'boom'))):
+            states = self.write('s.csv', text)
+            self.refused(['render', rig, '--states', states, '--out', self.folder / 'no.wav'], *parts)
+
     def test_same_input_same_bits(self):
         write_sound_set(self.folder / 'set')
         rig = self.demo_rig(**{'background_db = 0': 'background_db = -60'})  # the drill alone
