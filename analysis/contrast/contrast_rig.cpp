@@ -136,11 +136,16 @@ ContrastRig contrast_rig(config::Rig rig, std::size_t boom, double engine_rpm) {
   const ContrastPlan plan = plan_of(rig, boom, sounds);
   const auto shared =
       std::make_shared<const std::pair<config::Rig, SoundSet>>(std::move(rig), std::move(sounds));
-  return {plan, [shared, boom, engine_rpm](const DrillSetting& setting, double seconds, std::uint64_t seed) {
-            config::Rig seeded = shared->first;
-            seeded.engine.seed = seed;
-            return rendered(seeded, shared->second, state_of(setting, boom, engine_rpm), seconds);
-          }};
+  const auto render = [shared, boom, engine_rpm](const DrillSetting& setting, double seconds,
+                                                 std::uint64_t seed) {
+    config::Rig seeded = shared->first;
+    seeded.engine.seed = seed;
+    const auto at = [&](double rpm) {
+      return rendered(seeded, shared->second, state_of(setting, boom, rpm), seconds);
+    };
+    return RenderedSound{at(engine_rpm), engine_rpm > 0 ? at(0) : std::vector<float>()};
+  };
+  return {plan, render};
 }
 
 }  // namespace rigsound::analysis

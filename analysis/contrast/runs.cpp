@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "contrast/impact_rate.hpp"
 #include "contrast/loudness.hpp"
 #include "rigsound/analysis/parallel.hpp"
 #include "rigsound/analysis/rate.hpp"
@@ -31,10 +32,12 @@ Listener::Listener(const ContrastOptions& options, const RenderSound& render,
     : options_(options), render_(render), progress_(progress), total_(expected_settings * options.runs) {}
 
 Run Listener::run(const DrillSetting& setting, std::uint64_t number) const {
-  const std::vector<float> sound = render_(setting, options_.seconds, options_.seed + number);
+  const auto [sound, drill] = render_(setting, options_.seconds, options_.seed + number);
   const dsp::RandomField ear(options_.seed, kEarLayer, number);
-  return {listen(sound), loudness_sone(loudness_bands(sound, options_.full_scale_db_spl)),
+  Run run{listen(sound), loudness_sone(loudness_bands(sound, options_.full_scale_db_spl)),
           excerpts_of(sound, ear)};
+  if (!drill.empty()) run.heard.rate_hz = impact_rate_hz(drill);
+  return run;
 }
 
 std::vector<Runs> Listener::listen_to(const std::vector<DrillSetting>& settings) {

@@ -39,9 +39,16 @@ struct ContrastPlan {
   std::vector<ContrastSubject> rods, rocks;  ///< at normal feed; empty: nothing that tells them apart
 };
 
-/// `seconds` of a setting at kAnalysisRate. Called from several threads at once.
+/// At kAnalysisRate.
+struct RenderedSound {
+  std::vector<float> all;  ///< what is heard
+  std::vector<float>
+      drill;  ///< of it the drill alone, whose impacts are counted; empty: there is nothing else
+};
+
+/// `seconds` of a setting. Called from several threads at once.
 using RenderSound =
-    std::function<std::vector<float>(const DrillSetting& setting, double seconds, std::uint64_t seed)>;
+    std::function<RenderedSound(const DrillSetting& setting, double seconds, std::uint64_t seed)>;
 
 struct ContrastOptions {
   double seconds = 20;  ///< of each run, 4 at least

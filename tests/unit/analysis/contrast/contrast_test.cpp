@@ -19,14 +19,14 @@ namespace {
 ContrastPlan plan() {
   ContrastPlan p;
   p.sound_set = "sounds";
-  p.points = {40, 90, 150};
-  p.lowest_bar = 20, p.highest_bar = 200;
+  p.points = {60, 90, 120};
+  p.lowest_bar = 40, p.highest_bar = 140;
   const auto add = [&](const char* name, const char* bank, double feed_bar, Rattling rattling) {
     p.situations.push_back({name, {bank}, {feed_bar, rattling, 1, 0}});
   };
   add("normal", "a", 90, Rattling::kNone);
-  add("underfeed", "b", 40, Rattling::kNone);
-  add("overfeed", "c", 150, Rattling::kNone);
+  add("underfeed", "b", 60, Rattling::kNone);
+  add("overfeed", "c", 120, Rattling::kNone);
   add("closed rattling", "d", 0, Rattling::kClosed);
   add("open rattling", "e", 0, Rattling::kOpen);
   return p;
@@ -50,13 +50,13 @@ RenderSound rendered_by(const Laws& above, const Laws& below) {
       s.level *= std::pow(10, laws.db_per_bar * away / 20);
       s.rate_hz *= std::exp(laws.rate_per_bar * away);
     }
-    return impact_sound(s, seconds, static_cast<unsigned>(seed));
+    return RenderedSound{impact_sound(s, seconds, static_cast<unsigned>(seed)), {}};
   };
 }
 
 ContrastOptions options() {
   ContrastOptions o;
-  o.seconds = 10, o.runs = 3, o.jobs = 2;
+  o.seconds = 8, o.runs = 3, o.jobs = 2;
   return o;
 }
 
@@ -75,7 +75,7 @@ bool mentions(const std::vector<std::string>& lines, const std::string& text) {
 TEST_CASE("laws of level and rate are measured, and what is heard lies where its size says") {
   std::atomic<int> calls{0};
   int last = 0, last_of = 0;
-  const RenderSound render = rendered_by({0.1, 0}, {0, 0.004});
+  const RenderSound render = rendered_by({0.2, 0}, {0, 0.006});
   const Contrast c = measure_contrast(
       plan(), options(),
       [&](const DrillSetting& s, double seconds, std::uint64_t seed) {
@@ -88,19 +88,19 @@ TEST_CASE("laws of level and rate are measured, and what is heard lies where its
   CHECK(pair(c.situations, 0, 2).third_octave_db == doctest::Approx(6).epsilon(0.05));
   CHECK(pair(c.situations, 0, 2).phon == doctest::Approx(6).epsilon(0.15));
   CHECK(pair(c.situations, 0, 2).rate < 0.01);
-  CHECK(pair(c.situations, 0, 1).rate == doctest::Approx(0.2).epsilon(0.05));
+  CHECK(pair(c.situations, 0, 1).rate == doctest::Approx(0.18).epsilon(0.05));
   CHECK(pair(c.situations, 0, 1).told_apart());
   CHECK(contrast_warnings(c).empty());
   // The louder side: noise of 2 dB in each of 25 bands, so that 1.349 standard deviations are 0.54 dB for the
   // best of listeners; this one has to learn, and the excerpts differ by themselves.
   CHECK(c.over.found);
-  CHECK(c.over.away_bar > 4);
-  CHECK(c.over.away_bar < 16);
+  CHECK(c.over.away_bar > 2);
+  CHECK(c.over.away_bar < 8);
   CHECK(c.over.low_bar <= c.over.away_bar);
   CHECK(c.over.away_bar <= c.over.high_bar);
   CHECK(c.under.found);
   for (const FeedFigures& f : c.feed)
-    if (f.feed_bar > 90) CHECK(f.third_octave_db == doctest::Approx(0.1 * (f.feed_bar - 90)).epsilon(0.3));
+    if (f.feed_bar > 94) CHECK(f.third_octave_db == doctest::Approx(0.2 * (f.feed_bar - 90)).epsilon(0.3));
 }
 
 TEST_CASE("a copied bank is named, and that nothing is heard at any feed") {
