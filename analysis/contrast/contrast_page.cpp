@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 #include "chart/markup_text.hpp"
 #include "chart/style_sheet.hpp"
@@ -31,7 +32,7 @@ section { content-visibility: visible; margin-bottom: 1.8em } h2 { margin-bottom
   background: color-mix(in srgb, var(--first) calc(var(--p) * 1%), var(--paper)) }
 .matrix td.none { background: none } .matrix td.same { background: none; outline: 2px solid var(--third); outline-offset: -2px }
 .matrix b { display: block; font-size: 1.15em } .matrix small { display: block; white-space: nowrap; opacity: .8 }
-.matrix .deep { color: var(--paper) } .sounds { display: flex; flex-wrap: wrap; gap: 1em 2.5em; align-items: flex-start }
+.sounds { display: flex; flex-wrap: wrap; gap: 1em 2.5em; align-items: flex-start }
 .sounds > div { flex: 1 1 auto; min-width: 0; max-width: 100% }
 @media (max-width: 640px) { body { padding: 0 .8em } .matrix { border-spacing: 2px; font-size: .82em }
   .matrix td { min-width: 0; padding: .35em .3em } .matrix small { white-space: normal } h1 { font-size: 1.35em }
@@ -48,11 +49,16 @@ bool is_bad(const std::string& verdict) {
   return verdict.find("cannot") != std::string::npos || verdict.find("Not told") != std::string::npos;
 }
 
+/// Numbers stay beside their units.
+std::string unbroken(const std::string& sentence) {
+  const std::string text = chart::markup_text(sentence);
+  return std::regex_replace(text, std::regex("([0-9]) (bar|%)"), "$1&nbsp;$2");
+}
+
 std::string verdict_list(const Contrast& c) {
   std::string html = "<ul class=\"verdicts\">\n";
   for (const std::string& verdict : contrast_verdicts(c))
-    html +=
-        fmt::format("<li{}>{}</li>\n", is_bad(verdict) ? " class=\"bad\"" : "", chart::markup_text(verdict));
+    html += fmt::format("<li{}>{}</li>\n", is_bad(verdict) ? " class=\"bad\"" : "", unbroken(verdict));
   return html + "</ul>\n";
 }
 
@@ -64,17 +70,17 @@ const PairFigures& pair_of(const SubjectGroup& group, std::size_t a, std::size_t
 
 /// Deeper blue the farther apart; outlined where two sounds cannot be told apart.
 std::string cell(const PairFigures& pair, double farthest_db) {
-  constexpr double kPaperLetters = 50;  // per cent of the colour from which dark letters are hard to read
-  const double depth = 8 + 72 * pair.third_octave_db / farthest_db;
-  const char* look = !pair.told_apart() ? "same" : depth > kPaperLetters ? "deep" : "";
+  const double depth =
+      6 + 40 * pair.third_octave_db / farthest_db;  // no deeper, so that ink stays legible on it
   return fmt::format(
-      "<td class=\"{}\" style=\"--p:{:.0f}\" title=\"{:.0f} % of one-second excerpts told right; two runs of "
+      "<td{} style=\"--p:{:.0f}\" title=\"{:.0f} % of one-second excerpts told right; two runs of "
       "one "
       "sound are {:.2f} dB apart; modulation {:.2f} dB ({:.2f} dB), rate {:.1f} %, loudness {} "
       "phon\"><b>{:.1f} "
       "dB</b><small>{:.0f} % right</small></td>",
-      look, depth, 100 * pair.right, pair.third_octave_floor_db, pair.modulation_db, pair.modulation_floor_db,
-      100 * pair.rate, number(pair.phon, 1), pair.third_octave_db, 100 * pair.right);
+      pair.told_apart() ? "" : " class=\"same\"", depth, 100 * pair.right, pair.third_octave_floor_db,
+      pair.modulation_db, pair.modulation_floor_db, 100 * pair.rate, number(pair.phon, 1),
+      pair.third_octave_db, 100 * pair.right);
 }
 
 std::string matrix(const SubjectGroup& group) {

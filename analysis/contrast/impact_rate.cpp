@@ -16,9 +16,9 @@ constexpr int kHop = 12;  // 0.25 ms
 constexpr double kHopRate = kAnalysisRate / kHop;
 constexpr double kHighpass_hz = 1000;
 constexpr int kRise = 4;  // hops over which an onset is a difference
-constexpr double kFirstOfSeveral =
-    0.5;                          // of the highest peak: a shorter period with such a one is the right one
-constexpr double kRegular = 0.1;  // peak below which nothing comes back
+constexpr int kMultiples = 3;
+constexpr double kNearlyMost = 0.55;          // half a period has a third of it
+constexpr double kRegular = 0.1;              // peak below which nothing comes back
 constexpr double kBlur = 0.05, kPeak = 0.12;  // of a lag: what gaps scatter; what belongs to a peak
 
 /// How much louder it has become, hop by hop, never negative.
@@ -65,16 +65,24 @@ Eigen::ArrayXd blurred(const Eigen::ArrayXd& r) {
   return sum;
 }
 
-/// The shortest period whose peak is nearly as high as the highest. Lags beyond a peak are its multiples.
-long period_of(const Eigen::ArrayXd& peaks, long shortest) {
-  const auto is_peak = [&](long lag) {
-    return peaks(lag) > 0 && peaks(lag) >= peaks(lag - 1) && peaks(lag) > peaks(lag + 1);
-  };
-  double highest = 0;
-  for (long lag = shortest; lag + 1 < peaks.size(); ++lag)
-    if (is_peak(lag)) highest = std::max(highest, peaks(lag));
-  for (long lag = shortest; lag + 1 < peaks.size(); ++lag)
-    if (is_peak(lag) && peaks(lag) >= kFirstOfSeveral * highest) return lag;
+/// How much of `peaks` stands at a lag and its next multiples: an echo of each impact stands there only once.
+double support(const Eigen::ArrayXd& peaks, long lag) {
+  double sum = 0;
+  for (long k = 1; k <= kMultiples && k * lag < peaks.size(); ++k) sum += peaks(k * lag) / kMultiples;
+  return sum;
+}
+
+/// The shortest lag with nearly the most support; the others are its multiples. 0: there is none.
+long period_of(const Eigen::ArrayXd& peaks, long shortest, long longest) {
+  std::vector<long> candidates;
+  double most = 0;
+  for (long lag = shortest; lag < std::min<long>(longest, peaks.size() - 1); ++lag) {
+    if (peaks(lag) <= 0 || peaks(lag) < peaks(lag - 1) || peaks(lag) <= peaks(lag + 1)) continue;
+    candidates.push_back(lag);
+    most = std::max(most, support(peaks, lag));
+  }
+  for (const long lag : candidates)
+    if (support(peaks, lag) >= kNearlyMost * most) return lag;
   return 0;
 }
 
@@ -84,9 +92,9 @@ double impact_rate_hz(const std::vector<float>& x) {
   const auto shortest = static_cast<long>(kHopRate / kHighestRate_hz),
              longest = static_cast<long>(kHopRate / kLowestRate_hz);
   const Eigen::VectorXd rises = onsets(x);
-  const Eigen::ArrayXd r = autocorrelation(rises, std::min<long>(longest * 5 / 4, rises.size() / 2));
+  const Eigen::ArrayXd r = autocorrelation(rises, std::min<long>(kMultiples * longest, rises.size() / 2));
   const Eigen::ArrayXd peaks = blurred(r);
-  const long period = period_of(peaks, shortest);
+  const long period = period_of(peaks, shortest, longest);
   if (period == 0 || peaks(period) < kRegular) return 0;
   const long from = std::lround((1 - kPeak) * static_cast<double>(period)),
              to = std::min<long>(std::lround((1 + kPeak) * static_cast<double>(period)), r.size() - 1);
