@@ -53,7 +53,7 @@ Series series(const Contrast& c, Value value) {
 /// A chart of its own over the feed: line, dots with their values, ground.
 class FeedChart {
  public:
-  FeedChart(const Contrast& c, const std::string& title, Axis y, const chart::PlotSize& size)
+  FeedChart(const Contrast& c, const std::string& title, const Axis& y, const chart::PlotSize& size)
       : contrast_(c),
         title_(title),
         canvas_(size.width, size.height),
