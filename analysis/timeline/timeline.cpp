@@ -9,6 +9,7 @@
 #include "chart/outline.hpp"
 #include "chart/plot.hpp"
 #include "chart/png_canvas.hpp"
+#include "chart/situation_colours.hpp"
 #include "chart/spectrum_palette.hpp"
 #include "rigsound/file/atomic_file.hpp"
 #include "rigsound/machine/input_error.hpp"
@@ -31,11 +32,11 @@ struct ActivityLook {
 
 /// In the order of Activity.
 constexpr std::array<ActivityLook, kActivityCount> kLooks = {{
-    {"normal", {106, 183, 118}},
-    {"underfeed", {106, 169, 219}},
-    {"overfeed", {226, 104, 86}},
-    {"closed rattling", {202, 160, 220}},
-    {"open rattling", {141, 96, 184}},
+    {"normal", chart::kSituationColours[0]},
+    {"underfeed", chart::kSituationColours[1]},
+    {"overfeed", chart::kSituationColours[2]},
+    {"closed rattling", chart::kSituationColours[3]},
+    {"open rattling", chart::kSituationColours[4]},
     {"idle", {188, 200, 214}},
     {"off", {222, 222, 226}},
 }};
