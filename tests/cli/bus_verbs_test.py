@@ -300,6 +300,21 @@ class Render(Case):
             self.assertEqual(result.returncode, code, result.stderr)
             self.assertFalse((self.folder / 'none.wav').exists())
 
+    def test_nothing_that_is_read_is_written_over(self):
+        write_sound_set(self.folder / 'set')
+        rig = self.demo_rig()
+        log = self.short_log(1)
+        clicks = self.folder / 'set/banks/normal/clicks.wav'
+        (self.folder / 'link.wav').symlink_to(clicks)
+        for words in (['render', rig, '--log', log, '--out', log], ['render', rig, '--log', log, '--out', rig],
+                      ['render', rig, '--log', log, '--out', clicks],
+                      ['render', rig, '--log', log, '--out', self.folder / 'link.wav'],
+                      ['resynth', clicks.parent, clicks, '--seconds', 1],
+                      ['resynth', clicks.parent, self.folder / 'new.wav', '--seconds', 1, '--impacts', clicks]):
+            before = {path: path.read_bytes() for path in self.folder.rglob('*') if path.is_file()}
+            self.refused(words, 'expected another name for the output')
+            self.assertEqual({path: path.read_bytes() for path in self.folder.rglob('*') if path.is_file()}, before)
+
     def test_states_that_are_none(self):
         write_sound_set(self.folder / 'set')
         rig = self.demo_rig()

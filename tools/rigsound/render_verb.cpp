@@ -9,6 +9,7 @@
 #include "rigsound/config/fingerprint.hpp"
 #include "rigsound/config/rig.hpp"
 #include "rigsound/default_diesel.hpp"
+#include "rigsound/file/read_files.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "rigsound/session/log_states.hpp"
 #include "rigsound/session/session_states.hpp"
@@ -32,6 +33,7 @@ void render(config::Rig& rig, audio::StateSource& states, audio::SampleFormat sa
   SoundSet sounds = config::load_sounds(rig);
   const bool built_in_diesel = sounds.diesels.front().name == kDefaultDiesel;
   Engine engine = config::build_engine(rig, std::move(sounds));
+  require_not_read(options.out, {rig.file, rig.sound_set, options.log, options.session, options.states});
   const audio::BlockRange part = audio::blocks_of(options.from_s, options.to_s, rig.engine);
   Sha256 digest;
   audio::WavSink::Tap hash;
