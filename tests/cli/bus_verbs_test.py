@@ -315,6 +315,29 @@ class Render(Case):
             self.refused(words, 'expected another name for the output')
             self.assertEqual({path: path.read_bytes() for path in self.folder.rglob('*') if path.is_file()}, before)
 
+    def test_a_packed_set_sounds_the_same_and_unpacks(self):
+        write_sound_set(self.folder / 'set')
+        rig = self.demo_rig()
+        log = self.short_log(3)
+        first = self.render(rig, log, 'folder.wav')
+        result = run('pack', self.folder / 'set', self.folder / 'one.rigset', '--rig', rig)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        text = rig.read_text()
+        def with_set(name, file):
+            return self.write(file, text.replace(f"\"{self.folder / 'set'}\"", f'"{name}"'))
+        packed_rig = with_set('one.rigset', 'packed.toml')
+        self.assertIn('"one.rigset"', packed_rig.read_text())
+        self.assertEqual(self.render(packed_rig, log, 'packed.wav'), first)
+        result = run('unpack', self.folder / 'one.rigset', self.folder / 'again')
+        self.assertEqual(result.returncode, 0, result.stderr)
+        again = with_set('again', 'again.toml')
+        self.assertEqual(self.render(again, log, 'again.wav'), first)
+        self.refused(['unpack', self.folder / 'one.rigset', self.folder / 'again'], 'is there already')
+        damaged = bytearray((self.folder / 'one.rigset').read_bytes())
+        damaged[-1] ^= 1
+        (self.folder / 'one.rigset').write_bytes(damaged)
+        self.refused(['check', packed_rig], 'one.rigset', 'SHA-256')
+
     def test_states_that_are_none(self):
         write_sound_set(self.folder / 'set')
         rig = self.demo_rig()
