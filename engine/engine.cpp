@@ -44,8 +44,8 @@ struct Boom {
     if (tool) tool->process(scene.tool(), train.impacts(), tool_bus);
     if (rods) rods->process(scene.rods(), train.impacts(), tool_bus);
     made.add(train.impacts().count);
-    drill_meter.add(drill_bus);
-    if (tool || rods) tool_meter.add(tool_bus);
+    drill_meter.add(drill_bus, kChunk);
+    if (tool || rods) tool_meter.add(tool_bus, kChunk);
   }
 
   /// Of a block of `frames`.
@@ -142,21 +142,18 @@ void Engine::Parts::process_chunk(float* out) noexcept {
   for (std::size_t b = 0; b < p.booms.size(); ++b) p.booms[b].process(buses.drill[b], buses.tool[b]);
   p.rig.advance();
   p.diesel.process(p.rig.diesel(), buses.diesel);
-  p.diesel_meter.add(buses.diesel);
+  p.diesel_meter.add(buses.diesel, kChunk);
   p.mixer.process(buses, p.rig.gain(), out);
   meters.limiter_gain = std::min(meters.limiter_gain, static_cast<float>(p.mixer.lowest_gain()));
 }
 
 void Engine::Parts::measure(const float* out) noexcept {
   const int samples = options.block * options.channels;
-  float peak = 0;
-  double energy = 0;
-  for (int n = 0; n < samples; ++n) {
-    peak = std::max(peak, std::fabs(out[n]));
-    energy += static_cast<double>(out[n]) * static_cast<double>(out[n]);
-  }
-  meters.peak = peak;
-  meters.rms = static_cast<float>(std::sqrt(energy / samples));
+  mix::LevelMeter meter;
+  meter.add(out, samples);
+  const LayerLevel level = meter.take(1, samples);
+  meters.peak = level.peak;
+  meters.rms = level.rms;
   meters.lost_clicks = 0;
   for (const Boom& boom : playing.booms) meters.lost_clicks += boom.drill.lost();
 }
