@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "log_notes.hpp"
+#include "refused_values.hpp"
 #include "rigsound/audio/wav_sink.hpp"
 #include "rigsound/config/fingerprint.hpp"
 #include "rigsound/config/rig.hpp"
@@ -51,11 +52,12 @@ void render_log(const Options& options) {
   session::LogStates states(*log, rig.safety, rig.engine);
   render(rig, states, audio::SampleFormat::kFloat, options.out);
   print_log_notes(options.log, *log);
+  print_refused_values(rig, states.board());
 }
 
-/// What the session was rendered with counts; the rest must be what it was.
+/// What the session was rendered with counts; the rest must be what it was. Buses are not asked any more.
 void render_session(const Options& options) {
-  config::Rig rig = config::load_rig(options.rig);
+  config::Rig rig = config::load_rig(options.rig, config::Buses::kLeftOut);
   session::SessionStates states(options.session);
   const session::SessionHeader& header = states.header();
   rig.engine.seed = header.seed;
