@@ -10,6 +10,7 @@
 
 #include "rigsound/machine/input_error.hpp"
 #include "rigsound/machine/limits.hpp"
+#include "rigsound/session/state_rows.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -41,7 +42,7 @@ Signal signal_of(const std::string& name, const Line& line) {
 
 double value_of(Signal signal, const std::string& text, const Line& line) {
   const SignalInfo& known = info(signal);
-  if (text == kAbsent) return known.absent;
+  if (text == session::kAbsent) return known.absent;
   if (const auto word = value_of_word(signal, text)) return *word;
   const auto value = number_in(text);
   if (value && (known.takes(*value) || *value == known.absent)) return *value;
@@ -57,7 +58,7 @@ std::optional<SignalId> id_of(const std::string& label, std::vector<std::string>
   const std::size_t dot = label.rfind('.');
   const std::string boom = dot == std::string::npos ? "" : label.substr(0, dot);
   const std::string name = dot == std::string::npos ? label : label.substr(dot + 1);
-  if (is_side_row(name)) return std::nullopt;
+  if (session::is_side_row(name)) return std::nullopt;
   const Signal signal = signal_of(name, line);
   auto known = std::find(booms.begin(), booms.end(), boom);
   if (known == booms.end()) {

@@ -102,14 +102,6 @@ std::optional<Signal> signal_by_name(std::string_view name) {
   return std::nullopt;
 }
 
-bool is_side_row(std::string_view name) {
-  for (const std::string_view row : {kSituationRow, kFeedDeviationRow, kOutputGainRow, kManualRow})
-    if (row == name) return true;
-  for (const ControlInfo& control : control_table())
-    if (control.name == name) return true;
-  return false;
-}
-
 std::string_view name(Validity v) {
   constexpr std::string_view kNames[] = {"never_seen",  "valid",         "stale",        "bus_down",
                                          "error_value", "not_available", "out_of_range", "manual"};

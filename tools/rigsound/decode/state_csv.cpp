@@ -5,12 +5,14 @@
 #include <cmath>
 #include <iterator>
 
+#include "rigsound/session/state_rows.hpp"
+
 namespace rigsound::tools {
 namespace {
 
 /// The shortest that reads as this state's value; a value that no bus can say is one that is absent.
 std::string value_text(Signal signal, double value) {
-  if (!info(signal).takes(value)) return std::string(kAbsent);
+  if (!info(signal).takes(value)) return std::string(session::kAbsent);
   const std::string_view word = value_word(signal, value);
   return word.empty() ? fmt::format("{}", static_cast<float>(value)) : std::string(word);
 }
@@ -30,9 +32,10 @@ void StateCsv::add(double time_s, const std::string& label, const std::string& v
 
 void StateCsv::add_situation(double time_s, int boom, const BoomState& state) {
   const session::SituationTrace::Change change = situations_[boom].update(state);
-  if (change.situation) add(time_s, label(boom, kSituationRow), std::string(name(*change.situation)));
+  if (change.situation)
+    add(time_s, label(boom, session::kSituationRow), std::string(name(*change.situation)));
   if (change.feed_deviation)
-    add(time_s, label(boom, kFeedDeviationRow), fmt::format("{:.2f}", *change.feed_deviation));
+    add(time_s, label(boom, session::kFeedDeviationRow), fmt::format("{:.2f}", *change.feed_deviation));
 }
 
 void StateCsv::add_state(double time_s, const MachineState& state) {
@@ -65,7 +68,7 @@ void StateCsv::add_controls(double time_s, const MachineState& state) {
 void StateCsv::add_output_gain(double time_s, const MachineState& state) {
   const std::string gain =
       fmt::format("{:.2g}", std::round(static_cast<double>(state.output_gain) * 100) / 100);
-  if (gain != last_gain_) add(time_s, std::string(kOutputGainRow), gain);
+  if (gain != last_gain_) add(time_s, std::string(session::kOutputGainRow), gain);
   last_gain_ = gain;
 }
 
@@ -75,7 +78,7 @@ void StateCsv::add_by_hand(double time_s, const MachineState& state) {
     if (is_by_hand(state, id)) held += (held.empty() ? "" : " ") + config::signal_label(rig_, id);
   });
   if (held.empty()) held = "none";
-  if (held != last_by_hand_) add(time_s, std::string(kManualRow), held);
+  if (held != last_by_hand_) add(time_s, std::string(session::kManualRow), held);
   last_by_hand_ = held;
 }
 

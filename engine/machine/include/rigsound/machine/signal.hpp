@@ -55,15 +55,6 @@ std::optional<double> value_of_word(Signal s, std::string_view word);
 /// number.
 std::string_view value_word(Signal s, double value);
 
-/// Rows of a CSV of states that are no signals: what follows from them, and what a session was told beside
-/// them.
-constexpr std::string_view kSituationRow = "situation", kFeedDeviationRow = "feed_deviation",
-                           kOutputGainRow = "output_gain", kManualRow = "manual";
-/// Value of a signal that nothing says any more.
-constexpr std::string_view kAbsent = "absent";
-/// Whether a row `[BOOM.]name` is one of those, or a live control: nothing that a bus could say.
-bool is_side_row(std::string_view name);
-
 /// Which signal of which boom; boom is 0 for signals of the whole rig.
 struct SignalId {
   Signal signal{};
