@@ -126,7 +126,6 @@ class Manual(unittest.TestCase):
         self.assertEqual(self.ctl('release', 'boom2.feed_pressure_bar').stdout, 'released boom2.feed_pressure_bar\n')
         self.assertEqual(len(self.ctl('release', 'all').stdout.splitlines()), 3)
         self.assertEqual(self.ctl('release', 'all').stdout, 'nothing to release\n')
-        time.sleep(0.1)
         self.stop(daemon)
 
         told = self.run_verb('decode', self.rig, '--session', self.session)
