@@ -69,9 +69,11 @@ void require_playable(const Rig& rig, const TomlTable& root) {
 
 }  // namespace
 
-Rig load_rig(const std::filesystem::path& file) { return parse_rig(read_text(file), file); }
+Rig load_rig(const std::filesystem::path& file, Buses buses) {
+  return parse_rig(read_text(file), file, buses);
+}
 
-Rig parse_rig(std::string_view text, const std::filesystem::path& file) {
+Rig parse_rig(std::string_view text, const std::filesystem::path& file, Buses buses) {
   TomlTable root = TomlTable::parse(text, file.string());
   const std::filesystem::path folder = file.parent_path();
   Rig rig;
@@ -88,8 +90,10 @@ Rig parse_rig(std::string_view text, const std::filesystem::path& file) {
   rig.engine.scene = read_scene(root.table("scene"));
   rig.engine.mix = read_mix(root.table("mix"));
   require_playable(rig, root);
-  for (TomlTable& table : root.tables("can")) rig.can.push_back(read_can(table, folder, rig.engine.booms));
-  for (TomlTable& table : root.tables("modbus")) rig.modbus.push_back(read_modbus(table, rig.engine.booms));
+  std::vector<TomlTable> can = root.tables("can"), modbus = root.tables("modbus");
+  if (buses == Buses::kLeftOut) can.clear(), modbus.clear();
+  for (TomlTable& table : can) rig.can.push_back(read_can(table, folder, rig.engine.booms));
+  for (TomlTable& table : modbus) rig.modbus.push_back(read_modbus(table, rig.engine.booms));
   rig.safety = read_safety(root.table("safety"), stale_defaults(rig));
   rig.safety.idle_rpm = rig.engine.scene.idle_rpm;
   rig.control = read_control(root.table("control"));

@@ -110,6 +110,35 @@ class Decode(Case):
         times = [float(r['time_s']) for r in rows]
         self.assertEqual(times, sorted(times))
 
+    def test_situations_follow_from_the_feed_and_deviations_come_in_steps(self):
+        result = run('decode', ROOT / 'config/rigs/demo.toml', '--log', ROOT / 'config/logs/shift.log')
+        rows = list(csv.DictReader(io.StringIO(result.stdout)))
+        words = [(r['value'], round(float(r['time_s']))) for r in rows if r['signal'] == 'situation']
+        self.assertEqual([word for word, _ in words],
+                         ['underfeed', 'normal', 'overfeed', 'normal', 'closed_rattling', 'open_rattling', 'underfeed'])
+        self.assertEqual([time for _, time in words][4:], [62, 68, 76])  # with the rattling
+        feed, told, count = None, None, 0
+        for row in rows:
+            if row['signal'] == 'feed_pressure_bar':
+                feed = float(row['value'])
+            if row['signal'] == 'feed_deviation':
+                # demo.toml: underfeed stands at 37.5 bar, normal at 90, overfeed at 150.
+                expected = (feed - 90) / (52.5 if feed < 90 else 60)
+                self.assertAlmostEqual(float(row['value']), expected, delta=0.006)
+                self.assertTrue(told is None or abs(float(row['value']) - told) > 0.045)
+                told, count = float(row['value']), count + 1
+        self.assertGreater(count, 10)
+        self.assertLess(count, len([r for r in rows if r['signal'] == 'feed_pressure_bar']) / 4)
+
+    def test_what_was_refused_and_clamped_is_said_by_signal(self):
+        rig = self.write('rig.toml', MINIMAL.format(dbc=ROOT / 'config/dbc/rig.dbc', signal='EEC1.EngSpeed'))
+        log = self.write('a.log', '(1.000000) can0 0CF00400#000000409C000000\n(1.020000) can0 0CF00400#00000000FE000000\n'
+                                  '(1.040000) can0 0CF00400#00000000FA000000\n(1.060000) can0 0CF00400#00000008FA000000\n')
+        result = run('decode', rig, '--log', log)
+        self.assertEqual(result.returncode, 0)
+        self.assertIn('engine_rpm: 2 values refused, last 8001, expected 0...4000 r/min\n', result.stderr)
+        self.assertIn('engine_rpm: 2 values over the range taken as 4000 r/min\n', result.stderr)
+
     def test_real_log(self):
         if not DATA:
             print('\nSKIPPED: real CAN log: RIGSOUND_TEST_DATA is not set', flush=True)

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "log_notes.hpp"
+#include "refused_values.hpp"
 #include "rigsound/audio/excerpt.hpp"
 #include "rigsound/audio/wav_sink.hpp"
 #include "rigsound/config/fingerprint.hpp"
@@ -59,29 +60,30 @@ void render(config::Rig& rig, audio::StateSource& states, audio::SampleFormat sa
                rig.sound_set.string());
 }
 
-config::Rig rig_of(const Options& options) {
-  config::Rig rig = config::load_rig(options.rig);
+config::Rig rig_of(const Options& options, config::Buses buses) {
+  config::Rig rig = config::load_rig(options.rig, buses);
   if (options.seed) rig.engine.seed = *options.seed;
   return rig;
 }
 
 void render_states(const Options& options) {
-  config::Rig rig = rig_of(options);
+  config::Rig rig = rig_of(options, config::Buses::kLeftOut);
   session::TableStates states(options.states, rig.engine);
   render(rig, states, audio::SampleFormat::kFloat, options);
 }
 
 void render_log(const Options& options) {
-  config::Rig rig = rig_of(options);
+  config::Rig rig = rig_of(options, config::Buses::kRead);
   const std::unique_ptr<log::BusLog> log = log::open_log(options.log, rig.can, rig.modbus);
   session::LogStates states(*log, rig.safety, rig.engine);
   render(rig, states, audio::SampleFormat::kFloat, options);
   print_log_notes(options.log, *log);
+  print_refused_values(rig, states.board());
 }
 
-/// What the session was rendered with counts; the rest must be what it was.
+/// What the session was rendered with counts; the rest must be what it was. Buses are not asked any more.
 void render_session(const Options& options) {
-  config::Rig rig = config::load_rig(options.rig);
+  config::Rig rig = config::load_rig(options.rig, config::Buses::kLeftOut);
   session::SessionStates states(options.session);
   const session::SessionHeader& header = states.header();
   rig.engine.seed = header.seed;

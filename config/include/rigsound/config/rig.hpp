@@ -1,6 +1,7 @@
 // One rig file: everything the daemon, `render`, `decode` and `check` are told at start-up.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -41,13 +42,16 @@ struct Rig {
   ControlOptions control;
 };
 
+/// Whether a rig's buses, and the files they name, are wanted at all.
+enum class Buses : std::uint8_t { kRead, kLeftOut };
+
 /// Reads and checks a rig file and the DBC files it names. Only keys of a bus without a sensible default
 /// are required ([[can]] interface and dbc); everything else has the default that config/rigs/demo.toml
 /// shows. Paths in the file are relative to its folder. Errors: InputError. Thread: OFF.
-Rig load_rig(const std::filesystem::path& file);
+Rig load_rig(const std::filesystem::path& file, Buses buses = Buses::kRead);
 
 /// The same from text; `file` is for messages and for paths relative to its folder.
-Rig parse_rig(std::string_view text, const std::filesystem::path& file);
+Rig parse_rig(std::string_view text, const std::filesystem::path& file, Buses buses = Buses::kRead);
 
 /// Reads the rig's sound set at the rig's rate and finds the tool of each boom in it. A set without a
 /// background gets the built-in diesel: a rig whose engine runs is never silent.

@@ -133,6 +133,18 @@ TEST_CASE("rattling, a standing diesel and a second boom") {
   CHECK(render.complaint_of() == "");
 }
 
+TEST_CASE("rows of what follows from the signals, of controls and of manual marks are passed over") {
+  const Render plain(kStates);
+  const Render with(
+      std::string(kStates) +
+      "99,situation,overfeed\n99,left.feed_deviation,1.05\n99,decay_factor,2\n99,output_gain,0.5\n"
+      "99,manual,engine_rpm left.rattling\n99,percussion,absent\n");
+  const StateTable states = read_states(with.states);
+  CHECK(states.booms == read_states(plain.states).booms);
+  CHECK(states.changes.size() == read_states(plain.states).changes.size() + 1);
+  CHECK(states.changes.back().value == info(Signal::kPercussion).absent);
+}
+
 TEST_CASE("a sine lies in the row of its frequency, with its level") {
   constexpr double kHz = 17.0 * kRate / 4096;  // in the middle of a bin, where rows are narrower than bins
   constexpr int kRows = 240;
