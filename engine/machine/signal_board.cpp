@@ -26,8 +26,10 @@ Validity SignalBoard::take(const Reading& reading) noexcept {
     }
   }
   if (validity != Validity::kValid) {
-    if (validity != Validity::kBusDown) ++entry.refused;
-    if (entry.validity != Validity::kNeverSeen) entry.validity = validity;
+    const bool told = validity != Validity::kBusDown && validity != Validity::kStale;
+    if (told) ++entry.refused;
+    if (!entry.ever_good()) entry.value = limits.absent;
+    if (entry.validity != Validity::kNeverSeen || told) entry.validity = validity;
     return validity;
   }
   entry.value = limits.stepped() ? std::floor(value + 0.5) : value;

@@ -47,7 +47,7 @@ std::vector<SignalSnapshot> Daemon::signal_snapshots(const MachineState& heard) 
   for_each_signal(static_cast<int>(loaded_.rig.engine.booms.size()), [&](SignalId id) {
     const SignalInfo& signal = info(id.signal);
     const Validity validity = board.validity(id, safety.rule[static_cast<std::size_t>(id.signal)], now_s);
-    const double age_s = validity == Validity::kNeverSeen ? -1 : now_s - board.entry(id).seen_s;
+    const double age_s = board.entry(id).ever_good() ? now_s - board.entry(id).seen_s : -1;
     snapshots.push_back({config::signal_label(loaded_.rig, id), std::string(signal.unit),
                          signal.get(heard, id.boom), age_s, std::string(name(validity))});
   });
