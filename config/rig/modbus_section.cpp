@@ -59,8 +59,9 @@ void read_allow(TomlTable& table, ModbusOptions& options) {
 
 }  // namespace
 
-ModbusOptions read_modbus(TomlTable table, const std::vector<BoomOptions>& booms) {
+ModbusRead read_modbus(TomlTable table, const std::vector<BoomOptions>& booms) {
   ModbusOptions options;
+  std::vector<std::string> doubts;
   if (table.word("transport", options.transport, kTransports) == Transport::kRtu) options.unit = 1;
   read(table, options);
   if (options.transport == Transport::kTcp)
@@ -76,7 +77,7 @@ ModbusOptions read_modbus(TomlTable table, const std::vector<BoomOptions>& booms
                });
   table.refuse_unknown();
   if (options.transport == Transport::kTcp) refuse_serial_keys(table);
-  return options;
+  return {std::move(options), std::move(doubts)};
 }
 
 }  // namespace rigsound::config

@@ -60,6 +60,12 @@ void take_sound(const TomlTable& table, const std::filesystem::path& folder, Rig
   rig.engine.seed = static_cast<std::uint64_t>(sound.seed);
 }
 
+template <class Read, class Options>
+void take_bus(Read read, std::vector<Options>& buses, std::vector<std::string>& doubts) {
+  buses.push_back(std::move(read.options));
+  doubts.insert(doubts.end(), read.doubts.begin(), read.doubts.end());
+}
+
 /// What the engine would refuse is refused where the file says it.
 void require_playable(const Rig& rig, const TomlTable& root) {
   try {
@@ -90,8 +96,10 @@ Rig parse_rig(std::string_view text, const std::filesystem::path& file) {
   rig.engine.scene = read_scene(root.table("scene"));
   rig.engine.mix = read_mix(root.table("mix"));
   require_playable(rig, root);
-  for (TomlTable& table : root.tables("can")) rig.can.push_back(read_can(table, folder, rig.engine.booms));
-  for (TomlTable& table : root.tables("modbus")) rig.modbus.push_back(read_modbus(table, rig.engine.booms));
+  for (TomlTable& table : root.tables("can"))
+    take_bus(read_can(table, folder, rig.engine.booms), rig.can, rig.doubts);
+  for (TomlTable& table : root.tables("modbus"))
+    take_bus(read_modbus(table, rig.engine.booms), rig.modbus, rig.doubts);
   rig.safety = read_safety(root.table("safety"), stale_defaults(rig));
   rig.safety.idle_rpm = rig.engine.scene.idle_rpm;
   rig.control = read_control(root.table("control"));

@@ -105,6 +105,14 @@ std::vector<std::string> TomlTable::texts(std::string_view key) {
   return words;
 }
 
+std::vector<std::string> TomlTable::one_or_more_texts(std::string_view key, std::string_view expected) {
+  const toml::node* node = known(key);
+  if (node == nullptr || !node->is_array()) return {required_text(key, expected)};
+  std::vector<std::string> given = texts(key);
+  if (given.empty()) fail(key, "is empty, expected " + std::string(expected));
+  return given;
+}
+
 TomlTable TomlTable::table(std::string_view key) {
   const toml::node* node = known(key);
   if (node == nullptr) return TomlTable(file_, std::make_shared<const toml::table>(), path_of(key));

@@ -33,6 +33,8 @@ class TomlTable {
   void require(std::string_view key, std::string_view expected);  ///< refuses a table without the key
   std::string required_text(std::string_view key, std::string_view expected);
   std::vector<std::string> texts(std::string_view key);
+  /// A text, or a list of them that is not empty; refuses a table without the key.
+  std::vector<std::string> one_or_more_texts(std::string_view key, std::string_view expected);
 
   template <class E, std::size_t N>
   E word(std::string_view key, E otherwise, const Word<E> (&words)[N]) {

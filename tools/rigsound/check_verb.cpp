@@ -84,6 +84,7 @@ void check(const Options& options) {
   fmt::print("\n");
   print_can(rig);
   print_modbus(rig);
+  for (const std::string& doubt : rig.doubts) fmt::print(stderr, "{}\n", doubt);
   warn_of_missing_signals(rig);
   if (options.probe) probe_modbus(rig);
 }

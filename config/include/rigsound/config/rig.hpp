@@ -38,6 +38,8 @@ struct Rig {
   std::vector<can::CanOptions> can;
   std::vector<modbus::ModbusOptions> modbus;
   ControlOptions control;
+  std::vector<std::string>
+      doubts;  ///< what is probably a mistake, `FILE:LINE: KEY: what is odd, what was meant?`
 };
 
 /// Reads and checks a rig file and the DBC files it names. Only keys of a bus without a sensible default
