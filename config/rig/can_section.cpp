@@ -4,12 +4,11 @@
 #include <utility>
 
 #include "dbc/dbc_codes.hpp"
+#include "rig/dbc_library.hpp"
 #include "rig/plausibility.hpp"
 #include "rig/sections.hpp"
 #include "rigsound/can/frame.hpp"
 #include "rigsound/can/signal_reading.hpp"
-#include "rigsound/config/dbc.hpp"
-#include "rigsound/config/nearest_word.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "toml/toml_reader.hpp"
 
@@ -18,17 +17,6 @@ namespace {
 
 constexpr std::uint32_t kStandardMask = 0x7FF;
 constexpr Range kSourceAddresses{0, 255};
-
-template <class Named>
-std::string not_there(const std::string& what, const std::string& name, const std::string& where,
-                      const std::vector<Named>& all) {
-  std::vector<std::string> names;
-  for (const Named& one : all) names.push_back(one.name);
-  const std::string_view near = nearest_word(name, names);
-  return "there is no " + what + " '" + name + "' in " + where +
-         (near.empty() ? ", expected one of its " + std::to_string(all.size())
-                       : ", did you mean '" + std::string(near) + "'?");
-}
 
 /// What the DBC must get right before its signal may be used.
 std::string flaw(const DbcMessage& message, const DbcSignal& signal, bool j1939, bool fd) {
@@ -53,18 +41,6 @@ std::string flaw(const DbcMessage& message, const DbcSignal& signal, bool j1939,
     return "is in a message whose identifier has more than 11 bits, but not bit 31 set";
   return {};
 }
-
-/// A DBC file of a bus.
-struct DbcFile {
-  std::string name;
-  Dbc dbc;
-};
-
-/// A message in one of the files.
-struct Found {
-  const DbcFile* file;
-  const DbcMessage* message;
-};
 
 /// The range that a DBC gives a signal; nothing when it is just all that the field can hold.
 std::pair<double, double> range_of(const DbcSignal& signal, bool j1939) {
@@ -108,11 +84,7 @@ class CanSection {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error))
       table_.fail("dbc", "there is no file " + file.string() + ", expected a DBC file");
-    files_.push_back({file.string(), load_dbc(file)});
-    if (!files_.back().dbc.messages.empty()) return;
-    const std::vector<std::string>& unread = files_.back().dbc.unread;
-    throw InputError(file.string(), unread.empty() ? "holds no message, expected BO_ sections"
-                                                   : "holds no message that can be read: " + unread.front());
+    library_.add(file);
   }
 
   // "MESSAGE.SIGNAL", or a table { signal = "MESSAGE.SIGNAL", source = 0x00, scale = 1, offset = 0 }.
@@ -155,14 +127,14 @@ class CanSection {
     const std::size_t dot = path.find('.');
     if (dot == std::string::npos) table.fail(key, "\"" + path + "\" has no dot, expected \"MESSAGE.SIGNAL\"");
     const std::string name = path.substr(0, dot), signal_name = path.substr(dot + 1);
-    const auto [file, message] = the_message(table, key, name);
-    if (!message->broken.empty()) table.fail(key, name + " cannot be read: " + message->broken);
-    const DbcSignal* signal = message->find(signal_name);
-    if (signal == nullptr)
-      table.fail(key, not_there("signal", signal_name, name + " of " + file->name, message->signals));
+    std::string problem;
+    const auto found = library_.find(name, signal_name, problem);
+    if (!found) table.fail(key, problem);
+    const DbcMessage* const message = found->message;
+    const DbcSignal* const signal = found->signal;
     const bool j1939 = (forced_j1939_ ? j1939_ : message->j1939) && message->extended;
     if (const std::string wrong = flaw(*message, *signal, j1939, options_.fd); !wrong.empty())
-      throw InputError(file->name, signal->line, path, wrong);
+      throw InputError(*found->file, signal->line, path, wrong);
     route.name = path;
     route.match = {message->id, message->extended, j1939, {}};
     route.layout = signal->layout;
@@ -175,29 +147,9 @@ class CanSection {
     mapped.scale = scale_of_unit(mapped.target.signal, signal->unit);
   }
 
-  /// The one message of that name in all files.
-  Found the_message(const TomlTable& table, std::string_view key, const std::string& name) const {
-    std::vector<Found> found;
-    for (const DbcFile& file : files_)
-      if (const DbcMessage* message = file.dbc.find(name)) found.push_back({&file, message});
-    if (found.size() == 1) return found.front();
-    const auto place = [](const Found& f) { return f.file->name + ":" + std::to_string(f.message->line); };
-    if (!found.empty())
-      table.fail(key, "there is a message '" + name + "' in " + place(found[0]) + " and in " +
-                          place(found[1]) + ", expected it in one of them");
-    std::vector<DbcMessage> all;
-    std::string where, unread;
-    for (const DbcFile& file : files_) {
-      all.insert(all.end(), file.dbc.messages.begin(), file.dbc.messages.end());
-      where += (where.empty() ? "" : " and ") + file.name;
-      for (const std::string& line : file.dbc.unread) unread += "; not read: " + line;
-    }
-    table.fail(key, not_there("message", name, where, all) + unread);
-  }
-
   TomlTable table_;
   std::filesystem::path folder_;
-  std::vector<DbcFile> files_;
+  DbcLibrary library_;
   bool forced_j1939_ = false, j1939_ = false;
   can::CanOptions options_;
   std::vector<MappedSignal> mapped_;  ///< of options_.routes

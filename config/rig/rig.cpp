@@ -50,7 +50,10 @@ void require_own_interfaces(const Rig& rig, const TomlTable& root) {
   std::set<std::string> seen;
   for (const can::CanOptions& bus : rig.can)
     if (!seen.insert(bus.interface).second)
-      root.fail("can", "names the interface " + bus.interface + " twice, expected one [[can]] for each");
+      root.fail(
+          "can",
+          "names the interface " + bus.interface +
+              " twice, expected one [[can]] for each, with dbc = [\"a.dbc\", \"b.dbc\"] for several files");
 }
 
 void take_sound(const TomlTable& table, const std::filesystem::path& folder, Rig& rig) {

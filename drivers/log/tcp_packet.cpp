@@ -34,8 +34,10 @@ View strip_link(int link_type, View v) {
       return v.has(16) ? v.from(16) : none;
     case DLT_LINUX_SLL2:
       return v.has(20) ? v.from(20) : none;
-    default:
+    case DLT_EN10MB:
       break;
+    default:
+      return none;
   }
   for (head = 14; v.has(head); head += 4) {
     const unsigned type = v.word(head - 2);
@@ -75,15 +77,11 @@ bool strip_ipv6(View v, TcpPacket& p) {
   if (!v.has(40 + size)) return false;
   std::copy_n(v.bytes + 8, 16, p.from.address.begin());
   std::copy_n(v.bytes + 24, 16, p.to.address.begin());
+  p.from.v6 = p.to.v6 = true;
   return strip_tcp({v.bytes + 40, size}, p);
 }
 
 }  // namespace
-
-bool carries_ip(int link_type) {
-  constexpr int kKnown[] = {DLT_EN10MB, DLT_RAW, DLT_NULL, DLT_LOOP, DLT_LINUX_SLL, DLT_LINUX_SLL2};
-  return std::find(std::begin(kKnown), std::end(kKnown), link_type) != std::end(kKnown);
-}
 
 std::optional<TcpPacket> parse_packet(int link_type, const std::uint8_t* bytes, std::size_t size) {
   const View ip = strip_link(link_type, {bytes, size});

@@ -10,6 +10,7 @@ namespace rigsound::log {
 
 struct Endpoint {
   std::array<std::uint8_t, 16> address{};  ///< IPv4 in the first four bytes
+  bool v6 = false;
   std::uint16_t port = 0;
 
   bool operator<(const Endpoint& o) const {
@@ -26,10 +27,7 @@ struct TcpPacket {
   std::size_t size = 0;
 };
 
-/// Whether parse_packet() knows the link type (a DLT_ value of libpcap): Ethernet with or without VLAN, Linux
-/// cooked, raw IP, BSD loopback.
-bool carries_ip(int link_type);
-
+/// `link_type`: a DLT_ value of libpcap; Ethernet with or without VLAN, Linux cooked, raw IP, BSD loopback.
 /// Nothing when it is no whole TCP packet over IPv4 or IPv6. `data` points into `bytes`.
 std::optional<TcpPacket> parse_packet(int link_type, const std::uint8_t* bytes, std::size_t size);
 

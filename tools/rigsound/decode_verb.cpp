@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <iterator>
 
+#include "log_arguments.hpp"
 #include "log_notes.hpp"
 #include "rigsound/config/rig.hpp"
 #include "rigsound/log/change_trace.hpp"
@@ -13,7 +14,8 @@ namespace rigsound::tools {
 namespace {
 
 struct Options {
-  std::string rig, log;
+  std::string rig;
+  LogArguments log;
 };
 
 std::vector<SignalId> watched(const config::Rig& rig) {
@@ -32,14 +34,15 @@ std::string value_text(const log::Change& change) {
 
 void decode(const Options& options) {
   const config::Rig rig = config::load_rig(options.rig);
-  const std::unique_ptr<log::BusLog> log = log::open_log(options.log, rig.can, rig.modbus);
+  const std::unique_ptr<log::BusLog> log =
+      log::open_log(options.log.log, rig.can, rig.modbus, log_options(options.log));
   std::string csv = "time_s,signal,value\n";  // printed whole or not at all
   log::trace_changes(*log, rig.safety, watched(rig), [&](const log::Change& change) {
     fmt::format_to(std::back_inserter(csv), "{:.6f},{},{}\n", change.time_s,
                    config::signal_label(rig, change.signal), value_text(change));
   });
   std::fwrite(csv.data(), 1, csv.size(), stdout);
-  print_log_notes(options.log, *log);
+  print_log_notes(options.log.log, *log, rig);
 }
 
 }  // namespace
@@ -48,7 +51,8 @@ void add_decode(cli::Verb& program) {
   cli::Verb verb = program.verb("decode", "Print what a recorded bus would tell the engine").group(kInspect);
   auto options = std::make_shared<Options>();
   verb.positional("RIG.toml", options->rig, "the rig; a bus and its signals are enough").required();
-  verb.option("--log", options->log, "candump -l log, or Modbus/TCP as pcap or pcapng").required();
+  verb.option("--log", options->log.log, kLogHelp).required();
+  add_log_options(verb, options->log);
   verb.callback([options] { decode(*options); });
   verb.details(
       "Prints CSV time_s,signal,value: one row for the first valid value of a signal and one at each change. "

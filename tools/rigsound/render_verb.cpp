@@ -3,6 +3,7 @@
 #include <chrono>
 #include <optional>
 
+#include "log_arguments.hpp"
 #include "log_notes.hpp"
 #include "rigsound/audio/wav_sink.hpp"
 #include "rigsound/config/fingerprint.hpp"
@@ -18,7 +19,8 @@ namespace rigsound::tools {
 namespace {
 
 struct Options {
-  std::string rig, log, session, out;
+  std::string rig, session, out;
+  LogArguments log;
   std::optional<std::uint64_t> seed;
 };
 
@@ -47,10 +49,11 @@ void render(config::Rig& rig, audio::StateSource& states, audio::SampleFormat sa
 void render_log(const Options& options) {
   config::Rig rig = config::load_rig(options.rig);
   if (options.seed) rig.engine.seed = *options.seed;
-  const std::unique_ptr<log::BusLog> log = log::open_log(options.log, rig.can, rig.modbus);
+  const std::unique_ptr<log::BusLog> log =
+      log::open_log(options.log.log, rig.can, rig.modbus, log_options(options.log));
   session::LogStates states(*log, rig.safety, rig.engine);
   render(rig, states, audio::SampleFormat::kFloat, options.out);
-  print_log_notes(options.log, *log);
+  print_log_notes(options.log.log, *log, rig);
 }
 
 /// What the session was rendered with counts; the rest must be what it was.
@@ -80,10 +83,11 @@ void add_render(cli::Verb& program) {
   auto options = std::make_shared<Options>();
   verb.positional("RIG.toml", options->rig, "the rig").required();
   cli::Verb source = verb.exactly_one("Source");
-  source.option("--log", options->log, "candump -l log, or Modbus/TCP as pcap or pcapng");
+  source.option("--log", options->log.log, kLogHelp);
   source.option("--session", options->session, "what rigsoundd --session wrote: the very samples it played");
   verb.option("--out", options->out, "WAV file to write: 32 bit float, or the format of the session's card")
       .required();
+  add_log_options(verb, options->log);
   verb.option("--seed", options->seed, "instead of the rig's seed; a session has its own");
   verb.callback([options] { options->session.empty() ? render_log(*options) : render_session(*options); });
   verb.details(

@@ -5,17 +5,28 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rigsound/can/can_options.hpp"
+#include "rigsound/log/log_note.hpp"
 #include "rigsound/machine/signal_board.hpp"
 #include "rigsound/modbus/modbus_options.hpp"
 
 namespace rigsound::log {
 
-struct LogNote {
-  std::string text;
-  int line = 0;  ///< of the file; 0: it is about the whole
+/// How a log is to be taken.
+struct LogOptions {
+  std::optional<double> longest_gap_s;  ///< pauses over it are left out; nothing: all are kept
+  std::vector<std::pair<std::string, std::string>> interfaces;  ///< CAN interface of the log, and of the rig
+};
+
+/// Readings of a signal that were no value.
+struct Refusal {
+  SignalId id;
+  Validity why = Validity::kOutOfRange;
+  std::uint64_t count = 0;
+  double last = 0;  ///< kOutOfRange: the last value refused
 };
 
 /// Time 0 is the first entry of the log. Thread: OFF.
@@ -31,14 +42,21 @@ class BusLog {
 
   /// What a user should know of a log read to its end.
   virtual std::vector<LogNote> notes() const = 0;
+
+  const std::vector<Refusal>& refusals() const { return refusals_; }  ///< so far
+
+ protected:
+  /// Puts a reading on the board, and counts it when it is no value; returns whether it was one.
+  bool take(const Reading& reading, SignalBoard& board);
+
+ private:
+  std::vector<Refusal> refusals_;
 };
 
-/// `12.3`
-std::string seconds_text(double seconds);
-
-/// Modbus/TCP when the file is a pcap or pcapng, else CAN as candump writes it. Errors: InputError for a file
-/// that cannot be read, or of a kind of bus that the rig does not have.
+/// Modbus/TCP, or CAN as candump, Vector ASC, PEAK TRC or a capture has it; `-` is standard input, gzip is
+/// unpacked. Errors: InputError for a file that cannot be read, of a kind of bus that the rig does not have,
+/// or in which nothing is of use to the rig: then with the nearest thing that it holds.
 std::unique_ptr<BusLog> open_log(const std::filesystem::path& file, const std::vector<can::CanOptions>& can,
-                                 const std::vector<modbus::ModbusOptions>& modbus);
+                                 const std::vector<modbus::ModbusOptions>& modbus, const LogOptions& options);
 
 }  // namespace rigsound::log

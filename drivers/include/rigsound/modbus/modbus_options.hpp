@@ -11,7 +11,7 @@
 namespace rigsound::modbus {
 
 enum class Role : std::uint8_t { kServer, kClient };
-enum class Transport : std::uint8_t { kTcp, kRtu };
+enum class Transport : std::uint8_t { kTcp, kRtu, kRtuTcp };  ///< kRtuTcp: RTU frames over TCP
 enum class Table : std::uint8_t { kHolding, kInput, kCoil, kDiscrete };
 /// Tables of single bits; the others hold 16 bit registers.
 inline bool holds_bits(Table table) { return table == Table::kCoil || table == Table::kDiscrete; }
@@ -20,7 +20,8 @@ enum class WordType : std::uint8_t { kInt16, kUint16, kInt32, kUint32, kFloat32 
 enum class WordOrder : std::uint8_t { kAbcd, kCdab, kBadc, kDcba };
 
 constexpr Word<Role> kRoles[] = {{"server", Role::kServer}, {"client", Role::kClient}};
-constexpr Word<Transport> kTransports[] = {{"tcp", Transport::kTcp}, {"rtu", Transport::kRtu}};
+constexpr Word<Transport> kTransports[] = {
+    {"tcp", Transport::kTcp}, {"rtu", Transport::kRtu}, {"rtu_tcp", Transport::kRtuTcp}};
 constexpr Word<Table> kTables[] = {{"holding", Table::kHolding},
                                    {"input", Table::kInput},
                                    {"coil", Table::kCoil},

@@ -312,7 +312,8 @@ TEST_CASE("several DBC files a bus; a name in two of them is refused with both p
   const std::string a = "BO_ 256 M: 8 A\n SG_ Speed : 0|16@1+ (1,0) [0|0] \"rpm\" A\n";
   folder.write("a.dbc", a);
   folder.write("b.dbc", "\nBO_ 257 N: 8 A\n SG_ Feed : 0|16@1+ (1,0) [0|0] \"bar\" A\n");
-  folder.write("c.dbc", "\n\n" + a);
+  folder.write("c.dbc", "\n\nBO_ 256 M: 8 A\n SG_ Speed : 0|16@1+ (2,0) [0|0] \"rpm\" A\n");
+  folder.write("d.dbc", "\n\n" + a);
   const auto rig = [&](const std::string& list, const std::string& signals) {
     return folder.write("rig.toml",
                         "[[can]]\ninterface = \"can0\"\ndbc = " + list + "\n[can.signals]\n" + signals);
@@ -321,9 +322,10 @@ TEST_CASE("several DBC files a bus; a name in two of them is refused with both p
   CHECK(config::load_rig(rig("[\"a.dbc\", \"b.dbc\"]", both)).can[0].routes.size() == 2);
   const std::string said =
       complaint([&] { config::load_rig(rig("[\"a.dbc\", \"b.dbc\", \"c.dbc\"]", both)); });
-  CHECK(said.find("there is a message 'M' in ") != std::string::npos);
-  CHECK(said.find("a.dbc:1 and in ") != std::string::npos);
-  CHECK(said.find("c.dbc:3, expected it in one of them") != std::string::npos);
+  CHECK(said.find("'M.Speed' is in ") != std::string::npos);
+  CHECK(said.find("a.dbc:2 and, otherwise, in ") != std::string::npos);
+  CHECK(said.find("c.dbc:4, expected it in one of them") != std::string::npos);
+  CHECK(config::load_rig(rig("[\"a.dbc\", \"b.dbc\", \"d.dbc\"]", both)).can[0].routes.size() == 2);
   CHECK(complaint([&] { config::load_rig(rig("[]", both)); }).find("can.dbc: is empty") != std::string::npos);
 }
 

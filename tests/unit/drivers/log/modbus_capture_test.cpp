@@ -10,6 +10,7 @@
 
 #include "drivers/modbus/bus_harness.hpp"
 #include "log/modbus_conversation.hpp"
+#include "rigsound/log/can_reader.hpp"
 #include "rigsound/log/modbus_capture_writer.hpp"
 #include "rigsound/log/modbus_log.hpp"
 #include "rigsound/machine/input_error.hpp"
@@ -23,9 +24,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct CaptureFile {
-  CaptureFile() : path(fs::temp_directory_path() / ("rigsound_" + std::to_string(::getpid()) + ".pcap")) {}
-  ~CaptureFile() { fs::remove(path); }
+struct OwnFile {
+  OwnFile() : path(fs::temp_directory_path() / ("rigsound_" + std::to_string(::getpid()) + ".pcap")) {}
+  ~OwnFile() { fs::remove(path); }
   fs::path path;
 };
 
@@ -59,10 +60,11 @@ TcpPacket segment(const std::vector<std::uint8_t>& bytes, std::uint32_t sequence
 }  // namespace
 
 TEST_CASE("What was written as a capture is read as it was, to the nanosecond") {
-  const CaptureFile file;
+  const OwnFile file;
   write_said(file.path);
-  CHECK(is_capture(file.path));
-  ModbusCapture capture(file.path);
+  CHECK(format_of(LogFile(file.path)) == LogFormat::kCapture);
+  const LogFile log_file(file.path);
+  ModbusCapture capture(log_file);
   TimedExchange got;
   for (std::size_t i = 0; i < kSaid.size(); ++i) {
     REQUIRE(capture.next(got));
@@ -79,13 +81,13 @@ TEST_CASE("What was written as a capture is read as it was, to the nanosecond") 
 }
 
 TEST_CASE("A capture plays onto the board at its own times") {
-  const CaptureFile file;
+  const OwnFile file;
   write_said(file.path);
   modbus::ModbusOptions link;
   link.routes = {modbus::route(Signal::kFeedPressureBar, Table::kHolding, 0, modbus::WordType::kUint16,
                                modbus::WordOrder::kAbcd, 0.1),
                  modbus::route(Signal::kPercussion, Table::kCoil, 1)};
-  ModbusLog log(file.path, {link});
+  ModbusLog log(LogFile(file.path), {link}, {});
   SignalBoard board;
   log.read_until(0, board);
   CHECK(board.entry({Signal::kFeedPressureBar}).value == doctest::Approx(85.5));
@@ -110,27 +112,44 @@ TEST_CASE("Streams take repeated, overlapping and lost segments as TCP does") {
   CHECK(stream.add(segment(head, 1012)));
   CHECK(stream.add(segment(frame, 5000)));  // what lay between was not captured
   CHECK(stream.next() == frame);
+  CHECK(stream.next().empty());
   CHECK_FALSE(stream.add(segment(std::vector<std::uint8_t>(20, 0xAA), 5012)));
 }
 
+TEST_CASE("A segment that comes late fills its gap") {
+  const std::vector<std::uint8_t> first = {0, 1, 0, 0, 0, 6, 1, 6, 0, 0, 0, 85},
+                                  second = {0, 2, 0, 0, 0, 6, 1, 6, 0, 0, 0, 86},
+                                  third = {0, 3, 0, 0, 0, 6, 1, 6, 0, 0, 0, 87};
+  FrameStream stream;
+  CHECK(stream.add(segment(first, 1000)));
+  CHECK(stream.add(segment(third, 1024)));
+  CHECK(stream.add(segment(second, 1012)));
+  CHECK(stream.add(segment(second, 1012)));  // and once more
+  CHECK(stream.next() == first);
+  CHECK(stream.next() == third);
+  CHECK(stream.next() == second);
+  CHECK(stream.next().empty());
+}
+
 TEST_CASE("A cut-off capture, and what is none, are refused") {
-  const CaptureFile file;
+  const OwnFile file;
   write_said(file.path);
   const std::string whole = bytes_of(file.path);
   std::ofstream(file.path, std::ios::binary | std::ios::trunc) << whole.substr(0, whole.size() - 5);
-  ModbusCapture capture(file.path);
+  const LogFile log_file(file.path);
+  ModbusCapture capture(log_file);
   TimedExchange got;
   CHECK_THROWS_AS(while (capture.next(got)){}, InputError);
   std::ofstream(file.path, std::ios::trunc) << "(0.0) can0 123#00\n";
-  CHECK_FALSE(is_capture(file.path));
-  CHECK_THROWS_AS(ModbusCapture{file.path}, InputError);
-  CHECK_THROWS_AS(is_capture("/nonexistent.pcap"), InputError);
+  CHECK(format_of(LogFile(file.path)) == LogFormat::kCandump);
+  CHECK_THROWS_AS(ModbusCapture{LogFile(file.path)}, InputError);
 }
 
 TEST_CASE("A capture of a real device: every function, the refusal, the functions that carry no values") {
   const auto file = tests::test_data("a real Modbus capture", "modbus/icsnpp_modbus_example.pcap");
   if (!file) return;
-  ModbusCapture capture(*file);
+  const LogFile log_file(*file);
+  ModbusCapture capture(log_file);
   TimedExchange got;
   int written = 0, read = 0;
   while (capture.next(got)) {
