@@ -56,6 +56,61 @@ void require_own_interfaces(const Rig& rig, const TomlTable& root) {
               " twice, expected one [[can]] for each, with dbc = [\"a.dbc\", \"b.dbc\"] for several files");
 }
 
+std::string canonical(const std::string& device) {
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::weakly_canonical(device, error);
+  return error ? device : path.string();
+}
+
+bool any_address(const std::string& host) { return host == "0.0.0.0" || host == "::"; }
+
+/// Whether both would be at the same time on one serial line, or listen at one port.
+bool share_a_line(const modbus::ModbusOptions& a, const modbus::ModbusOptions& b) {
+  using modbus::Role;
+  using modbus::Transport;
+  if ((a.transport == Transport::kRtu) != (b.transport == Transport::kRtu)) return false;
+  if (a.transport == Transport::kRtu) return canonical(a.address) == canonical(b.address);
+  if (a.role != b.role) return false;
+  const bool same_host =
+      a.host == b.host || (a.role == Role::kServer && (any_address(a.host) || any_address(b.host)));
+  return a.port == b.port && same_host;
+}
+
+std::string line_conflict(const modbus::ModbusOptions& a, const modbus::ModbusOptions& b) {
+  if (a.role == modbus::Role::kServer || b.role == modbus::Role::kServer)
+    return a.transport == modbus::Transport::kRtu
+               ? "is on a line with a server, expected one server or masters on it"
+               : "is a port that two servers listen at, expected one [[modbus]] for each, with unit = 255 "
+                 "for any";
+  if (a.address != b.address)
+    return "is the same line as " + a.address + ", expected the same address for both";
+  if (a.transport != b.transport || a.baud != b.baud || a.parity != b.parity || a.stop_bits != b.stop_bits ||
+      a.timeout_s != b.timeout_s || a.pause_s != b.pause_s)
+    return "is a line that another [[modbus]] shares, expected the same transport, baud, parity, stop_bits, "
+           "timeout_ms and pause_ms for both";
+  return {};
+}
+
+void require_own_lines(const Rig& rig, const TomlTable& root) {
+  for (std::size_t i = 0; i < rig.modbus.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      if (!share_a_line(rig.modbus[k], rig.modbus[i])) continue;
+      const std::string conflict = line_conflict(rig.modbus[k], rig.modbus[i]);
+      if (!conflict.empty()) root.fail("modbus", rig.modbus[i].address + " " + conflict);
+    }
+}
+
+/// A unit's signals are down when the last of them is stale, and not while a device pauses.
+void set_down_ages(Rig& rig) {
+  constexpr double kLeast_s = 0.3, kPolls = 3;
+  for (modbus::ModbusOptions& link : rig.modbus) {
+    link.down_after_s = std::max({kLeast_s, kPolls * link.poll_s, link.timeout_s});
+    for (const modbus::RegisterRoute& route : link.routes)
+      link.down_after_s = std::max(
+          link.down_after_s, rig.safety.rule[static_cast<std::size_t>(route.target.signal)].stale_after_s);
+  }
+}
+
 void take_sound(const TomlTable& table, const std::filesystem::path& folder, Rig& rig) {
   const SoundSection sound = read_sound(table);
   rig.sound_set_line = table.line_of("set");
@@ -104,10 +159,12 @@ Rig parse_rig(std::string_view text, const std::filesystem::path& file) {
   for (TomlTable& table : root.tables("modbus"))
     take_bus(read_modbus(table, rig.engine.booms), rig.modbus, rig.doubts);
   rig.safety = read_safety(root.table("safety"), stale_defaults(rig));
+  set_down_ages(rig);
   rig.safety.idle_rpm = rig.engine.scene.idle_rpm;
   rig.control = read_control(root.table("control"));
   root.refuse_unknown();
   require_own_interfaces(rig, root);
+  require_own_lines(rig, root);
   require_one_source(rig, root);
   return rig;
 }

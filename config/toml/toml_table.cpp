@@ -59,8 +59,9 @@ double TomlTable::number(std::string_view key, double otherwise, const Range& ra
   return x;
 }
 
-int TomlTable::integer(std::string_view key, int otherwise, const Range& range) {
-  return static_cast<int>(number(key, otherwise, range.step == 0 ? range.whole() : range));
+std::int64_t TomlTable::integer(std::string_view key, std::int64_t otherwise, const Range& range) {
+  const auto given = number(key, static_cast<double>(otherwise), range.step == 0 ? range.whole() : range);
+  return static_cast<std::int64_t>(given);
 }
 
 bool TomlTable::flag(std::string_view key, bool otherwise) {
@@ -147,6 +148,11 @@ std::vector<std::string> TomlTable::keys() const {
 bool TomlTable::is_table(std::string_view key) const {
   const toml::node* node = table_->get(key);
   return node != nullptr && node->is_table();
+}
+
+bool TomlTable::is_text(std::string_view key) const {
+  const toml::node* node = table_->get(key);
+  return node != nullptr && node->is_string();
 }
 
 void TomlTable::refuse_unknown() const {

@@ -112,7 +112,8 @@ void CanBus::controller_error(const Frame& frame) {
   }
   const bool passive = (frame.data[1] & (CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_TX_PASSIVE)) != 0;
   if ((frame.id & CAN_ERR_CRTL) != 0 && passive)
-    warn(options_.interface + ": the controller is error-passive: look at wiring, termination, bit rate");
+    warn("error-passive",
+         options_.interface + ": the controller is error-passive: look at wiring, termination, bit rate");
 }
 
 std::vector<BusCounter> CanBus::counters() const {

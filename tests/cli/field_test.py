@@ -9,10 +9,15 @@ import io
 import os
 import pathlib
 import shutil
+import socket
+import struct
 import subprocess
 import sys
 import tempfile
+import threading
 import unittest
+
+from sound_set import write_sound_set
 
 RIGSOUND, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
 CASES = ROOT / 'tests/cli/cases'
@@ -308,6 +313,73 @@ class Captures(Case):
     def test_without_answers_there_is_no_exchange(self):
         for name in ('responses-only', 'writes-without-answers'):
             self.refused(decode('mb1.toml', f'modbus-{name}.pcap'), 'holds no Modbus/TCP exchange')
+
+
+class Plc(threading.Thread):
+    """A sparse Modbus server: holding registers 100 and 106, exception 2 for everything else."""
+    HELD = {100: 90, 106: 2}
+
+    def __init__(self):
+        super().__init__(daemon=True)
+        self.listening = socket.create_server(('127.0.0.1', 0))
+        self.port = self.listening.getsockname()[1]
+        self.start()
+
+    def run(self):
+        while True:
+            peer, _ = self.listening.accept()
+            with peer, peer.makefile('rb') as stream:
+                while head := stream.read(8):
+                    tid, _, length, unit, function = struct.unpack('>HHHBB', head)
+                    first, count = struct.unpack('>HH', stream.read(length - 2))
+                    there = [self.HELD.get(first + i) for i in range(count)]
+                    pdu = bytes((function | 0x80, 2)) if None in there else struct.pack(f'>BB{count}H', function, 2 * count, *there)
+                    peer.sendall(struct.pack('>HHHB', tid, 0, len(pdu) + 1, unit) + pdu)
+
+
+class Check(Case):
+    def check(self, text, *words):
+        if not (self.folder / 'set').exists():
+            write_sound_set(self.folder / 'set')
+        rig = self.write('rig.toml', f'[sound]\nset = "{self.folder}/set"\n' + text)
+        return run('check', rig, *words)
+
+    def case(self, name, *words):
+        return self.check((CASES / name).read_text().replace('dbc/', f'{CASES}/dbc/'), *words)
+
+    def test_lines_and_ports(self):
+        self.refused(self.case('two-servers-one-port.toml'), 'is a port that two servers listen at')
+        result = self.case('rtu-one-line-two-units.toml')
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(self.case('modbus-two-units-one-host.toml').returncode, 0)
+        self.assertEqual(self.case('modbus-status-word-bit.toml').returncode, 0)
+        self.assertEqual(self.case('two-dbc-one-bus.toml').returncode, 0)
+
+    def test_addresses_of_a_manual(self):
+        result = self.case('mb_40001.toml')
+        self.assertEqual(result.returncode, 0)
+        self.assertIn('address 40001 counts from 0, so it is holding 40001 = 80002: address = 0?', result.stderr)
+
+    def test_units_and_ranges(self):
+        dbc = self.write('m.dbc', 'BO_ 256 DrillLeft: 8 A\n SG_ Feed : 0|16@1+ (1,0) [0|40000] "kPa" A\n'
+                                  ' SG_ Load : 16|8@1+ (1,0) [0|100] "%" A\n')
+        result = self.check(f'[[can]]\ninterface = "can0"\ndbc = "{dbc}"\n[can.signals]\nfeed_pressure_bar = "DrillLeft.Feed"\n'
+                            'engine_load = "DrillLeft.Load"\n')
+        self.assertEqual(result.returncode, 0)
+        self.assertIn('rig.toml:7: can.signals.feed_pressure_bar: DrillLeft.Feed is in kPa, feed_pressure_bar in bar: scale = 0.01?',
+                      result.stderr)
+        self.assertNotIn('engine_load', result.stderr)
+
+    def test_a_probe_of_a_device_with_holes(self):
+        text = (CASES / 'modbus-sparse-plc.toml').read_text().replace('1702', str(Plc().port))
+        result = self.check(text, '--probe')
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn('005A', result.stdout)
+        result = self.check(text.replace('106', '103'), '--probe')
+        self.assertEqual(result.returncode, 3)
+        self.assertIn('005A', result.stdout)
+        self.assertIn('cannot be read: Illegal data address', result.stdout)
+        self.assertIn('1 signals cannot be read', result.stderr)
 
 
 if __name__ == '__main__':

@@ -80,7 +80,7 @@ void Daemon::start_feeds() {
         std::make_unique<Feed>([&](BusListener& listener) { return make_bus(bus, listener); }, exchange_));
   };
   for (const can::CanOptions& bus : loaded_.rig.can) start(bus);
-  for (const modbus::ModbusOptions& bus : loaded_.rig.modbus) start(bus);
+  for (const modbus::Line& line : modbus::lines(loaded_.rig.modbus)) start(line);
 }
 
 void Daemon::run(int signals) {

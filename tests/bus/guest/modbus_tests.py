@@ -99,11 +99,10 @@ class Server(unittest.TestCase):
         client.close()
 
     def check_log_is_calm(self):
-        """At most one complaint a second."""
-        times = [datetime.datetime.fromisoformat(line[:23]) for line in self.daemon.log().splitlines() if ' warn' in line]
-        self.assertGreaterEqual(len(times), 1)
-        pauses = [(later - earlier).total_seconds() for earlier, later in zip(times, times[1:])]
-        self.assertGreaterEqual(min(pauses, default=1), 0.99)
+        """One complaint a minute of each kind, however many there were."""
+        lines = [line for line in self.daemon.log().splitlines() if ' warn' in line]
+        self.assertEqual(sum('address not in the rig' in line for line in lines), 1)
+        self.assertEqual(sum('value out of range' in line for line in lines), 1)
 
     def test_garbage_half_frames_and_floods_change_nothing(self):
         client = ModbusTcpClient('127.0.0.1', port=1502)

@@ -23,7 +23,7 @@ void write(log::CandumpWriter& out, const can::CanOptions& bus, const can::Arriv
   out.write({static_cast<std::int64_t>(arrival.realtime_s * 1e9), bus.interface, arrival.frame});
 }
 
-void write(log::ModbusCaptureWriter& out, const modbus::ModbusOptions&, const modbus::Exchange& exchange) {
+void write(log::ModbusCaptureWriter& out, const modbus::Line&, const modbus::Exchange& exchange) {
   out.write(realtime_ns(), exchange);
 }
 
@@ -65,7 +65,7 @@ class FileRecorder : public BusRecorder {
     }
 
    private:
-    const Options& options_;
+    const Options options_;
     FileRecorder& recorder_;
   };
 
@@ -83,8 +83,8 @@ std::unique_ptr<BusRecorder> record_can(const config::Rig& rig, const std::files
 }
 
 std::unique_ptr<BusRecorder> record_modbus(const config::Rig& rig, const std::filesystem::path& file) {
-  return std::make_unique<FileRecorder<modbus::ModbusOptions, modbus::Exchange, log::ModbusCaptureWriter>>(
-      rig.modbus, file);
+  return std::make_unique<FileRecorder<modbus::Line, modbus::Exchange, log::ModbusCaptureWriter>>(
+      modbus::lines(rig.modbus), file);
 }
 
 }  // namespace rigsound::tools
