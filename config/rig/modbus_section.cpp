@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "rig/network.hpp"
+#include "rig/allow.hpp"
 #include "rig/sections.hpp"
 #include "rigsound/modbus/exchange.hpp"
 #include "rigsound/socket/host_port.hpp"
@@ -14,7 +14,7 @@ using namespace modbus;
 
 constexpr int kDefaultPort = 502;
 
-constexpr rigsound::Range kBits = rigsound::Range{0, 31}.whole();
+constexpr rigsound::Range kBits{0, 31};
 
 bool is_float(WordType type) { return type == WordType::kFloat32 || type == WordType::kFloat64; }
 
@@ -122,19 +122,6 @@ bool hears_nobody(const TomlTable& table, const ModbusOptions& options) {
          !table.has("allow");
 }
 
-void read_allow(TomlTable& table, ModbusOptions& options) {
-  const bool given = table.has("allow");
-  std::vector<std::string> texts = table.texts("allow");
-  if (!given) texts = {"127.0.0.0/8", "::1"};
-  for (const std::string& text : texts) {
-    const auto network = parse_network(text);
-    if (!network)
-      table.fail("allow", "\"" + text +
-                              "\" is no network, expected one like \"192.168.1.0/24\" with no bits after it");
-    options.allow.push_back(*network);
-  }
-}
-
 }  // namespace
 
 ModbusRead read_modbus(TomlTable table, const std::vector<BoomOptions>& booms) {
@@ -147,7 +134,7 @@ ModbusRead read_modbus(TomlTable table, const std::vector<BoomOptions>& booms) {
   else
     require_device(table, options);
   require_unit(table, options);
-  read_allow(table, options);
+  options.allow = read_allow(table);
   if (hears_nobody(table, options))
     doubts.push_back(table.file() + ":" + std::to_string(table.line_of("address")) + ": " +
                      table.path_of("address") + ": listens to " + options.host +

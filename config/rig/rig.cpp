@@ -30,7 +30,20 @@ StaleDefaults stale_defaults(const Rig& rig) {
   for (const modbus::ModbusOptions& link : rig.modbus)
     for (const modbus::RegisterRoute& route : link.routes)
       if (link.role == modbus::Role::kClient) note_stale(stale, route.target.signal, link.poll_s);
+  for (const udp::UdpOptions& input : rig.udp)
+    for (const udp::NameRoute& route : input.routes) note_stale(stale, route.target.signal, 0);
   return stale;
+}
+
+/// Calls `visit(section, id)` for every signal that a bus delivers.
+template <class Visit>
+void for_each_source(const Rig& rig, Visit visit) {
+  for (const can::CanOptions& bus : rig.can)
+    for (const can::SignalRoute& route : bus.routes) visit("can", route.target);
+  for (const modbus::ModbusOptions& link : rig.modbus)
+    for (const modbus::RegisterRoute& route : link.routes) visit("modbus", route.target);
+  for (const udp::UdpOptions& input : rig.udp)
+    for (const udp::NameRoute& route : input.routes) visit("udp", route.target);
 }
 
 void require_one_source(const Rig& rig, const TomlTable& root) {
@@ -40,10 +53,7 @@ void require_one_source(const Rig& rig, const TomlTable& root) {
       root.fail(section,
                 "delivers " + signal_label(rig, id) + ", but another bus does too, expected one source");
   };
-  for (const can::CanOptions& bus : rig.can)
-    for (const can::SignalRoute& route : bus.routes) note("can", route.target);
-  for (const modbus::ModbusOptions& link : rig.modbus)
-    for (const modbus::RegisterRoute& route : link.routes) note("modbus", route.target);
+  for_each_source(rig, note);
 }
 
 void require_own_interfaces(const Rig& rig, const TomlTable& root) {
@@ -118,6 +128,17 @@ void take_sound(const TomlTable& table, const std::filesystem::path& folder, Rig
   rig.engine.seed = static_cast<std::uint64_t>(sound.seed);
 }
 
+/// Signals that no bus read so far delivers.
+std::vector<udp::NameRoute> free_signals(const Rig& rig) {
+  std::set<std::pair<Signal, int>> taken;
+  for_each_source(rig, [&](const char*, SignalId id) { taken.emplace(id.signal, id.boom); });
+  std::vector<udp::NameRoute> routes;
+  for_each_signal(static_cast<int>(rig.engine.booms.size()), [&](SignalId id) {
+    if (taken.count({id.signal, id.boom}) == 0) routes.push_back({id, signal_label(rig, id)});
+  });
+  return routes;
+}
+
 template <class Read, class Options>
 void take_bus(Read read, std::vector<Options>& buses, std::vector<std::string>& doubts) {
   buses.push_back(std::move(read.options));
@@ -158,6 +179,11 @@ Rig parse_rig(std::string_view text, const std::filesystem::path& file) {
     take_bus(read_can(table, folder, rig.engine.booms), rig.can, rig.doubts);
   for (TomlTable& table : root.tables("modbus"))
     take_bus(read_modbus(table, rig.engine.booms), rig.modbus, rig.doubts);
+  for (TomlTable& table : root.tables("udp")) {
+    rig.udp.push_back(read_udp(table, free_signals(rig)));
+    if (rig.udp.back().routes.empty())
+      table.fail("signals", "there is none left that no other bus delivers, expected one or more");
+  }
   rig.safety = read_safety(root.table("safety"), stale_defaults(rig));
   set_down_ages(rig);
   rig.safety.idle_rpm = rig.engine.scene.idle_rpm;

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
 
+#include "bus/arrival_clock.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/monotonic_time.hpp"
 
@@ -24,17 +24,6 @@ CanSocketOptions socket_options(const CanOptions& options, const CanTap* tap) {
   socket.everything = tap != nullptr;
   for (const SignalRoute& route : options.routes) socket.wanted.push_back(route.match);
   return socket;
-}
-
-double realtime_s() {
-  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
-
-/// The kernel stamps with the time of day; readings count from the machine's start. `now_s` and
-/// `realtime_now_s` are the same moment on both clocks.
-double monotonic_arrival_s(const Arrival& arrival, double realtime_now_s, double now_s) {
-  const double age_s = arrival.realtime_s > 0 ? realtime_now_s - arrival.realtime_s : 0;
-  return now_s - std::clamp(age_s, 0.0, 1.0);
 }
 
 }  // namespace
@@ -90,11 +79,11 @@ void CanBus::dispatch(const Arrival* first, std::size_t count) {
 void CanBus::data_frames(const Arrival* first, std::size_t count) {
   frames_.fetch_add(count, std::memory_order_relaxed);
   if (tap_ != nullptr) tap_->traffic(first, count);
-  const double realtime_now_s = realtime_s(), now_s = monotonic_s();
+  const ArrivalClock clock;
   readings_.clear();
   std::uint64_t used = 0;
   for (const Arrival* a = first; a != first + count; ++a)
-    if (decoder_.decode(a->frame, monotonic_arrival_s(*a, realtime_now_s, now_s), readings_)) ++used;
+    if (decoder_.decode(a->frame, clock.monotonic_s(a->realtime_s), readings_)) ++used;
   report(readings_);
   used_.fetch_add(used, std::memory_order_relaxed);
 }

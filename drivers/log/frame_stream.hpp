@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "log/tcp_packet.hpp"
+#include "log/ip_packet.hpp"
 #include "modbus/rtu_frame.hpp"
 
 namespace rigsound::log {

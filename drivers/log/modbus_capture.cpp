@@ -7,8 +7,8 @@
 #include <string>
 
 #include "log/capture_file.hpp"
+#include "log/ip_packet.hpp"
 #include "log/modbus_conversation.hpp"
-#include "log/tcp_packet.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::log {

@@ -8,7 +8,6 @@
 #include <cerrno>
 
 #include "modbus/rtu_frame.hpp"
-#include "modbus/tcp_socket.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/monotonic_time.hpp"
 #include "rigsound/socket/tcp_listener.hpp"
@@ -26,14 +25,7 @@ std::size_t length_field(const std::uint8_t* frame) { return frame[4] << 8 | fra
 TcpServer::TcpServer(const ModbusOptions& options, BusListener& listener, ModbusTap* tap)
     : ModbusServer(options, listener, tap), context_(make_context(options)) {}
 
-int TcpServer::port() const {
-  sockaddr_storage address{};
-  socklen_t size = sizeof address;
-  if (!listening_ || ::getsockname(listening_.get(), reinterpret_cast<sockaddr*>(&address), &size) != 0)
-    return 0;
-  return ntohs(
-      reinterpret_cast<const sockaddr_in&>(address).sin_port);  // the port lies alike in sockaddr_in6
-}
+int TcpServer::port() const { return bound_port(listening_); }
 
 void TcpServer::step() {
   if (!listening_) {

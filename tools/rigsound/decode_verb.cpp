@@ -24,6 +24,8 @@ std::vector<SignalId> watched(const config::Rig& rig) {
     for (const can::SignalRoute& route : bus.routes) ids.push_back(route.target);
   for (const modbus::ModbusOptions& link : rig.modbus)
     for (const modbus::RegisterRoute& route : link.routes) ids.push_back(route.target);
+  for (const udp::UdpOptions& input : rig.udp)
+    for (const udp::NameRoute& route : input.routes) ids.push_back(route.target);
   return ids;
 }
 
@@ -35,7 +37,7 @@ std::string value_text(const log::Change& change) {
 void decode(const Options& options) {
   const config::Rig rig = config::load_rig(options.rig);
   const std::unique_ptr<log::BusLog> log =
-      log::open_log(options.log.log, rig.can, rig.modbus, log_options(options.log));
+      log::open_log(options.log.log, {rig.can, rig.modbus, rig.udp}, log_options(options.log));
   std::string csv = "time_s,signal,value\n";  // printed whole or not at all
   log::trace_changes(*log, rig.safety, watched(rig), [&](const log::Change& change) {
     fmt::format_to(std::back_inserter(csv), "{:.6f},{},{}\n", change.time_s,

@@ -50,7 +50,7 @@ void render_log(const Options& options) {
   config::Rig rig = config::load_rig(options.rig);
   if (options.seed) rig.engine.seed = *options.seed;
   const std::unique_ptr<log::BusLog> log =
-      log::open_log(options.log.log, rig.can, rig.modbus, log_options(options.log));
+      log::open_log(options.log.log, {rig.can, rig.modbus, rig.udp}, log_options(options.log));
   session::LogStates states(*log, rig.safety, rig.engine);
   render(rig, states, audio::SampleFormat::kFloat, options.out);
   print_log_notes(options.log.log, *log, rig);

@@ -12,8 +12,10 @@
 #include "rigsound/log/log_clock.hpp"
 #include "rigsound/log/modbus_capture.hpp"
 #include "rigsound/log/replay_clock.hpp"
+#include "rigsound/log/udp_capture.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "rigsound/modbus/modbus_writer.hpp"
+#include "rigsound/udp/udp_sender.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -21,7 +23,7 @@ namespace {
 
 struct Options {
   LogArguments log;
-  std::string modbus;
+  std::string modbus, udp;
   double speed = 1;
   bool json = false;
 };
@@ -151,6 +153,32 @@ void replay_modbus(const Options& o) {
   print_notes(o, times);
 }
 
+void replay_udp(const Options& o) {
+  const log::LogFile file(o.log.log);
+  log::UdpCapture capture(file, {});
+  const udp::UdpSender device(o.udp);
+  log::LogClock times(o.log.longest_gap_s());
+  log::ReplayClock clock(o.speed);
+  log::TimedDatagram entry, ahead;
+  Skips skips;
+  for (bool more = capture.next(ahead); more;) {
+    entry = ahead;
+    more = capture.next(ahead);
+    const auto next_ns = more ? std::optional<std::int64_t>(ahead.time_ns) : std::nullopt;
+    clock.wait_for(times.place(entry.time_ns, next_ns, 0));
+    if (!device.send(entry.text)) ++skips.refused;
+    clock.sent();
+  }
+  require_sent(file, clock, {});
+  report(o, clock, skips);
+  print_notes(o, times);
+}
+
+void replay(const Options& o) {
+  if (!o.udp.empty()) return replay_udp(o);
+  o.log.can.empty() ? replay_modbus(o) : replay_can(o);
+}
+
 }  // namespace
 
 void add_replay(cli::Verb& program) {
@@ -164,10 +192,11 @@ void add_replay(cli::Verb& program) {
           "interface to send the frames on, whatever the log calls it; or LOG=IFACE, once for each interface")
       .repeatable();
   target.option("--modbus", options->modbus, "HOST:PORT of a server to write the values to");
+  target.option("--udp", options->udp, "HOST:PORT to send the datagrams to");
   add_gap_option(verb, options->log);
   verb.option("--speed", options->speed, "2: twice as fast").range(0.001, 1000).shows_default();
   verb.flag("--json", options->json, "figures as one JSON object");
-  verb.callback([options] { options->log.can.empty() ? replay_modbus(*options) : replay_can(*options); });
+  verb.callback([options] { replay(*options); });
   verb.details(
       "Prints how many entries were sent and how late (mean, worst; deadlines are absolute, lateness does "
       "not add "

@@ -26,6 +26,8 @@ constexpr CounterText kBusCounters[] = {
     {"frames_dropped", "Frames the kernel dropped because they were not fetched in time."},
     {"requests_refused", "Modbus requests answered with an exception."},
     {"rejected_connections", "Modbus connections over the limit or from a network not allowed."},
+    {"frames_rejected", "Datagrams from a network not allowed."},
+    {"frames_late", "Datagrams older than one before."},
     {"losses", "Times the bus or the device went away."}};
 constexpr const char* kStates[] = {"never_seen",  "valid",         "stale",       "bus_down",
                                    "error_value", "not_available", "out_of_range"};

@@ -11,6 +11,7 @@
 #include "rigsound/engine.hpp"
 #include "rigsound/machine/signal_board.hpp"
 #include "rigsound/modbus/modbus_options.hpp"
+#include "rigsound/udp/udp_options.hpp"
 
 namespace rigsound::config {
 
@@ -37,6 +38,7 @@ struct Rig {
   SafetyOptions safety;
   std::vector<can::CanOptions> can;
   std::vector<modbus::ModbusOptions> modbus;
+  std::vector<udp::UdpOptions> udp;
   ControlOptions control;
   std::vector<std::string>
       doubts;  ///< what is probably a mistake, `FILE:LINE: KEY: what is odd, what was meant?`

@@ -12,8 +12,16 @@
 #include "rigsound/log/log_note.hpp"
 #include "rigsound/machine/signal_board.hpp"
 #include "rigsound/modbus/modbus_options.hpp"
+#include "rigsound/udp/udp_options.hpp"
 
 namespace rigsound::log {
+
+/// The buses of a rig that a log may be of.
+struct Buses {
+  std::vector<can::CanOptions> can;
+  std::vector<modbus::ModbusOptions> modbus;
+  std::vector<udp::UdpOptions> udp;
+};
 
 /// How a log is to be taken.
 struct LogOptions {
@@ -53,10 +61,10 @@ class BusLog {
   std::vector<Refusal> refusals_;
 };
 
-/// Modbus/TCP, or CAN as candump, Vector ASC, PEAK TRC or a capture has it; `-` is standard input, gzip is
-/// unpacked. Errors: InputError for a file that cannot be read, of a kind of bus that the rig does not have,
-/// or in which nothing is of use to the rig: then with the nearest thing that it holds.
-std::unique_ptr<BusLog> open_log(const std::filesystem::path& file, const std::vector<can::CanOptions>& can,
-                                 const std::vector<modbus::ModbusOptions>& modbus, const LogOptions& options);
+/// Modbus/TCP, UDP, or CAN as candump, Vector ASC, PEAK TRC or a capture has it; `-` is standard input, gzip
+/// is unpacked. Errors: InputError for a file that cannot be read, of a kind of bus that the rig does not
+/// have, or in which nothing is of use to the rig: then with the nearest thing that it holds.
+std::unique_ptr<BusLog> open_log(const std::filesystem::path& file, const Buses& buses,
+                                 const LogOptions& options);
 
 }  // namespace rigsound::log

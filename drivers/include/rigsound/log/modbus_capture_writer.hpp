@@ -10,6 +10,8 @@
 
 namespace rigsound::log {
 
+class CaptureDump;
+
 /// Request and answer of each exchange as two TCP packets between 127.0.0.1:49152 and 127.0.0.1:502: what was
 /// said, not how it travelled (a serial line looks the same). Raw IP, nanoseconds. Exchanges hold at most
 /// what one request can. Thread: one at a time. Errors: DeviceError.
@@ -30,8 +32,7 @@ class ModbusCaptureWriter {
   void packet(std::int64_t time_ns, Side& from, const Side& to, const std::vector<std::uint8_t>& pdu,
               int unit);
 
-  struct File;
-  std::unique_ptr<File> file_;
+  std::unique_ptr<CaptureDump> file_;
   std::uint16_t transaction_ = 0;
   Side client_, server_;
 };

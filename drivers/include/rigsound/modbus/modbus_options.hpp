@@ -7,6 +7,7 @@
 
 #include "rigsound/machine/limits.hpp"
 #include "rigsound/machine/signal.hpp"
+#include "rigsound/socket/network.hpp"
 
 namespace rigsound::modbus {
 
@@ -65,13 +66,6 @@ void fields(Archive& a, RegisterRoute& o) {
   a("scale", o.scale, kBusScales);
   a("offset", o.offset, kBusScales);
 }
-
-/// An IPv4 or IPv6 network that may connect, as written: "127.0.0.0/8", "::1/128", "192.168.1.5".
-struct Network {
-  std::string text;
-  std::vector<std::uint8_t> address;  ///< 4 or 16 bytes, network byte order, host bits zero
-  int prefix = 0;                     ///< bits that must match
-};
 
 struct ModbusOptions {
   Role role = Role::kServer;

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <regex>
 #include <sstream>
 
@@ -435,4 +436,33 @@ TEST_CASE("a unit is down when the last of its signals is stale") {
       section("role = \"client\"\npoll_ms = 20\n", std::string(kFeedAt0) + "rod_count = { address = 1 }\n"));
   CHECK(rig.modbus[0].down_after_s == 5);
   CHECK(loaded(section("role = \"client\"\npoll_ms = 1000\n", kFeedAt0)).modbus[0].down_after_s == 3);
+}
+
+TEST_CASE("a UDP input takes what no other bus delivers, or what it is told") {
+  const config::Rig all = loaded("[[boom]]\nname = \"a\"\n[[boom]]\nname = \"b\"\n[[udp]]\n");
+  REQUIRE(all.udp.size() == 1);
+  CHECK(all.udp[0].port == 1503);
+  CHECK(all.udp[0].allow.size() == 2);
+  int rig_signals = 0, boom_signals = 0;
+  for (const SignalInfo& signal : signal_table()) ++(signal.per_boom ? boom_signals : rig_signals);
+  CHECK(static_cast<int>(all.udp[0].routes.size()) == rig_signals + 2 * boom_signals);
+  CHECK(rule(all, Signal::kFeedPressureBar).stale_after_s == 1);
+  const config::Rig rest =
+      loaded(minimal() + "[[udp]]\naddress = \"0.0.0.0:7000\"\nallow = [\"10.0.0.0/8\"]\n");
+  CHECK(std::none_of(rest.udp[0].routes.begin(), rest.udp[0].routes.end(),
+                     [](const udp::NameRoute& route) { return route.name == "engine_rpm"; }));
+  const config::Rig two = loaded(
+      "[[boom]]\nname = \"a\"\n[[boom]]\nname = \"b\"\n[[udp]]\nsignals = [\"b.rattling\"]\n[[udp]]\naddress "
+      "= \"[::1]:1504\"\n");
+  REQUIRE(two.udp[0].routes.size() == 1);
+  CHECK(two.udp[0].routes[0].target.boom == 1);
+  CHECK(two.udp[1].host == "::1");
+  CHECK(refusal(minimal() + "[[udp]]\nsignals = [\"engine_rpm\"]\n").find("one that another bus delivers") !=
+        std::string::npos);
+  CHECK(refusal("[[udp]]\nsignals = [\"ratling\"]\n").find("did you mean 'rattling'?") != std::string::npos);
+  CHECK(refusal("[[udp]]\naddress = \"localhost\"\n")
+            .find(":2: udp.address: \"localhost\" is no address with a port") == 0);
+  CHECK(refusal("[[udp]]\nallow = [\"10.0.0.1/8\"]\n").find("is no network") != std::string::npos);
+  CHECK(refusal("[[udp]]\n[[udp]]\naddress = \"127.0.0.1:1504\"\n")
+            .find("none left that no other bus delivers") != std::string::npos);
 }

@@ -11,7 +11,7 @@
 #include <cstring>
 
 #include "drivers/modbus/bus_harness.hpp"
-#include "modbus/tcp_socket.hpp"
+#include "rigsound/socket/network.hpp"
 
 using namespace rigsound;
 using namespace rigsound::modbus;

@@ -1,4 +1,4 @@
-#include "modbus/tcp_socket.hpp"
+#include "rigsound/socket/network.hpp"
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace rigsound::modbus {
+namespace rigsound {
 namespace {
 
 constexpr std::array<std::uint8_t, 12> kMappedIpv4 = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xff, 0xff};
@@ -52,4 +52,4 @@ bool allowed(const std::vector<std::uint8_t>& address, const std::vector<Network
   return std::any_of(networks.begin(), networks.end(), [&](const Network& n) { return inside(address, n); });
 }
 
-}  // namespace rigsound::modbus
+}  // namespace rigsound

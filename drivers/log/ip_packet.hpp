@@ -1,4 +1,4 @@
-// A captured packet, as far as TCP.
+// A captured packet, as far as TCP or UDP.
 #pragma once
 
 #include <array>
@@ -27,8 +27,17 @@ struct TcpPacket {
   std::size_t size = 0;
 };
 
+struct UdpPacket {
+  Endpoint from, to;
+  const std::uint8_t* data = nullptr;
+  std::size_t size = 0;
+};
+
 /// `link_type`: a DLT_ value of libpcap; Ethernet with or without VLAN, Linux cooked, raw IP, BSD loopback.
 /// Nothing when it is no whole TCP packet over IPv4 or IPv6. `data` points into `bytes`.
 std::optional<TcpPacket> parse_packet(int link_type, const std::uint8_t* bytes, std::size_t size);
+
+/// The same for UDP.
+std::optional<UdpPacket> parse_udp_packet(int link_type, const std::uint8_t* bytes, std::size_t size);
 
 }  // namespace rigsound::log
