@@ -14,7 +14,7 @@ using namespace modbus;
 
 constexpr int kDefaultPort = 502;
 
-constexpr rigsound::Range kBits{0, 31};
+constexpr Range kBits{0, 31};
 
 bool is_float(WordType type) { return type == WordType::kFloat32 || type == WordType::kFloat64; }
 
@@ -47,7 +47,7 @@ void read_values(TomlTable table, RegisterRoute& route) {
       named.value = value_of_word(table, key, table.text(key, {}), route.target.signal);
     } else {
       const bool zero = signal.kind == SignalKind::kNumberOrZero;
-      const rigsound::Range range{signal.min, signal.max, "", 0, zero};
+      const Range range{signal.min, signal.max, "", 0, zero};
       named.value = table.number(key, 0, range);
     }
     route.values.push_back(named);
