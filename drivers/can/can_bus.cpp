@@ -32,6 +32,7 @@ CanBus::CanBus(const CanOptions& options, BusListener& listener, CanTap* tap, st
     : BusBase("can " + options.interface, targets(options.routes), listener),
       options_(socket_options(options, tap)),
       decoder_(options.routes),
+      sources_(options.routes),
       tap_(tap),
       port_(std::move(port)),
       batch_(kBatch) {}
@@ -82,8 +83,11 @@ void CanBus::data_frames(const Arrival* first, std::size_t count) {
   const ArrivalClock clock;
   readings_.clear();
   std::uint64_t used = 0;
-  for (const Arrival* a = first; a != first + count; ++a)
-    if (decoder_.decode(a->frame, clock.monotonic_s(a->realtime_s), readings_)) ++used;
+  for (const Arrival* a = first; a != first + count; ++a) {
+    if (!decoder_.decode(a->frame, clock.monotonic_s(a->realtime_s), readings_)) continue;
+    ++used;
+    if (const auto several = sources_.add(a->frame)) warn("sources", *several);
+  }
   report(readings_);
   used_.fetch_add(used, std::memory_order_relaxed);
 }

@@ -1,10 +1,10 @@
 #include "rigsound/log/can_log.hpp"
 
 #include <algorithm>
-#include <cstdio>
+#include <set>
 
+#include "can/source_watch.hpp"
 #include "log/can_survey.hpp"
-#include "rigsound/can/signal_reading.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::log {
@@ -13,16 +13,6 @@ namespace {
 std::string list(const std::set<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text.append(text.empty() ? "" : ", ").append(name);
-  return text;
-}
-
-std::string hex_list(const std::set<std::uint8_t>& bytes) {
-  std::string text;
-  char one[8];
-  for (const std::uint8_t byte : bytes) {
-    std::snprintf(one, sizeof one, "%02X", byte);
-    text.append(text.empty() ? "" : ", ").append(one);
-  }
   return text;
 }
 
@@ -93,7 +83,8 @@ void CanLog::find_buses(const std::vector<can::CanOptions>& buses, const LogOpti
     throw InputError(file_.name(), "none of its " + std::to_string(survey->frames()) +
                                        " frames is of use to the rig: " + survey->nearest());
   for (const auto& [interface, bus] : by_interface)
-    buses_.emplace(interface, Bus{*bus, can::FrameDecoder(bus->routes)});
+    buses_.emplace(interface, Bus{*bus, can::FrameDecoder(bus->routes),
+                                  std::make_shared<can::SourceWatch>(bus->routes)});
 }
 
 void CanLog::fetch() {
@@ -119,13 +110,6 @@ std::optional<double> CanLog::next_s() {
   return pending_ ? std::optional<double>(time_s_) : std::nullopt;
 }
 
-void CanLog::note_source(const can::CanOptions& bus) {
-  for (const can::SignalRoute& route : bus.routes)
-    if (route.match.j1939 && !route.match.source && can::matches(route.match, pending_->frame))
-      sources_[route.name.substr(0, route.name.find('.'))].insert(
-          static_cast<std::uint8_t>(pending_->frame.id & 0xFF));
-}
-
 void CanLog::take_frame(SignalBoard& board, std::vector<Reading>& readings) {
   const auto bus = buses_.find(pending_->interface);
   if (bus == buses_.end()) return;
@@ -136,7 +120,7 @@ void CanLog::take_frame(SignalBoard& board, std::vector<Reading>& readings) {
     readings.clear();
     return;
   }
-  note_source(bus->second.options);
+  bus->second.sources->add(pending_->frame);
   bool good = false;
   for (const Reading& reading : readings) good = take(reading, board) || good;
   used_ += good ? 1 : 0;
@@ -165,10 +149,8 @@ std::vector<LogNote> CanLog::notes() const {
   if (counts.error_frames > 0) notes.push_back({text(counts.error_frames) + " error frames"});
   if (fd_refused_ > 0)
     notes.push_back({text(fd_refused_) + " CAN FD frames of the rig's messages were not taken: fd = true?"});
-  for (const auto& [message, sources] : sources_)
-    if (sources.size() > 1)
-      notes.push_back({message + " comes from " + hex_list(sources) + ": all are taken in turn, source = 0x" +
-                       hex_list({*sources.begin()}) + " takes one"});
+  for (const auto& [interface, bus] : buses_)
+    for (const std::string& word : bus.sources->found()) notes.push_back({word});
   const std::vector<LogNote> of_clock = clock_.notes();
   notes.insert(notes.end(), of_clock.begin(), of_clock.end());
   return notes;

@@ -252,6 +252,13 @@ class Signals(Case):
         self.assertEqual([v for _, s, v in rows if s == 'rod_count'], ['3'])
         self.assertEqual(max(float(v) for _, s, v in rows if s == 'feed_pressure_bar'), 100)
 
+    def test_two_sources_of_one_message_are_told(self):
+        log = self.write('a.log', ''.join(f'({t}.000000) can0 {id_}#F07D85401FFFFF85\n' for t, id_ in
+                                          ((1, '0CF00400'), (2, '0CF00421'), (3, '0CF00400'))))
+        result = run('decode', CASES / 'eec1.toml', '--log', log)
+        self.good(result)
+        self.assertEqual(result.stderr.count('EEC1 comes from 00, 21: all are taken in turn, source = 0x00 takes one'), 1)
+
     def test_what_comes_by_transport_protocol_is_said_to(self):
         self.refused(decode('j1939-tp.toml', 'j1939-tp-bam.log'), 'transport protocol (PGN 60416 and 60160)')
 
@@ -279,7 +286,26 @@ class Signals(Case):
                 self.refused(use(dbc + '.dbc'), dbc + '.dbc:')
 
 
+def pcapng(*packets):
+    """A pcapng of packets (interface, microseconds, bytes) on two interfaces: can0 of SocketCAN, eth0 of Ethernet."""
+    def block(kind, body):
+        body += b'\0' * (-len(body) % 4)
+        return struct.pack('<II', kind, len(body) + 12) + body + struct.pack('<I', len(body) + 12)
+    text = block(0x0A0D0D0A, struct.pack('<IHHq', 0x1A2B3C4D, 1, 0, -1))
+    for link, name in ((227, b'can0'), (1, b'eth0')):
+        text += block(1, struct.pack('<HHI', link, 0, 65535) + struct.pack('<HH', 2, 4) + name + struct.pack('<HH', 0, 0))
+    for interface, micros, data in packets:
+        text += block(6, struct.pack('<IIIII', interface, 0, micros, len(data), len(data)) + data)
+    return text
+
+
 class Captures(Case):
+    def test_several_link_types_in_one(self):
+        eec1 = bytes.fromhex('8cf0040008000000f07d85{}1fffff85'.format('40'))
+        other = bytes(14) + b'nothing of ours'
+        log = self.write('a.pcapng', pcapng((1, 0, other), (0, 100000, eec1), (1, 200000, other), (0, 600000, eec1.replace(b'\x40', b'\x80'))))
+        self.speeds(run('decode', CASES / 'eec1.toml', '--log', log), (0, 1000), (0.5, 1008))
+
     def test_the_rig_chooses_the_server(self):
         rows = self.good(decode('mb2plc.toml', 'modbus-two-plcs-one-unit.pcap'))
         first = {v for _, s, v in rows if s == 'feed_pressure_bar'}

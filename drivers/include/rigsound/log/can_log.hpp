@@ -5,7 +5,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -14,6 +13,10 @@
 #include "rigsound/log/bus_log.hpp"
 #include "rigsound/log/can_reader.hpp"
 #include "rigsound/log/log_clock.hpp"
+
+namespace rigsound::can {
+class SourceWatch;
+}
 
 namespace rigsound::log {
 
@@ -35,11 +38,11 @@ class CanLog : public BusLog {
   struct Bus {
     can::CanOptions options;
     can::FrameDecoder decoder;
+    std::shared_ptr<can::SourceWatch> sources;
   };
   void find_buses(const std::vector<can::CanOptions>& buses, const LogOptions& options);
   void fetch();
   void take_frame(SignalBoard& board, std::vector<Reading>& readings);
-  void note_source(const can::CanOptions& bus);
 
   LogFile file_;
   std::unique_ptr<CanReader> reader_;
@@ -49,7 +52,6 @@ class CanLog : public BusLog {
   int pending_line_ = 0, ahead_line_ = 0;
   double time_s_ = 0;  // of pending_
   std::uint64_t used_ = 0, fd_refused_ = 0;
-  std::map<std::string, std::set<std::uint8_t>> sources_;  // of J1939 messages without a chosen one
   bool started_ = false;
 };
 
