@@ -112,6 +112,19 @@ class Screen(unittest.TestCase):
             with self.subTest(form):
                 self.assertEqual(self.values(f'/tmp/screen{i}.log', rig), wanted)
 
+    def test_each_interface_of_a_log_goes_where_it_is_told(self):
+        with open('/tmp/two.log', 'w') as log:
+            for i in range(50):
+                log.write(f'({i / 100:.6f}) can{i % 2} {0x100 + i % 2:03X}#{i:02X}\n')
+        dump = subprocess.Popen(['candump', '-L', '-T', '2000', 'vcan0', 'vcan1'], stdout=open('/tmp/both.log', 'w'))
+        wait_for('candump', lambda: open('/proc/net/can/rcvlist_all').read().count(' raw') >= 2)
+        told = subprocess.run([PLACE.rigsound, 'replay', '/tmp/two.log', '--can', 'can0=vcan1', '--can', 'can1=vcan0'],
+                              capture_output=True, text=True)
+        self.assertEqual(told.returncode, 0, told.stderr)
+        dump.wait()
+        got = [line.split()[1:] for line in open('/tmp/both.log')]
+        self.assertEqual(sorted(got), sorted([f'vcan{1 - i % 2}', f'{0x100 + i % 2:03X}#{i:02X}'] for i in range(50)))
+
     @staticmethod
     def values(log, rig):
         told = subprocess.run([PLACE.rigsound, 'decode', rig, '--log', log], check=True, capture_output=True, text=True)
