@@ -5,19 +5,11 @@
 #include <vector>
 
 #include "drill/drill_input.hpp"
+#include "rigsound/feed_rule.hpp"
 #include "rigsound/options.hpp"
 #include "rigsound/sound_set.hpp"
 
 namespace rigsound::scene {
-
-/// Feed pressures at which the three drilling situations stand, bar.
-struct FeedPoints {
-  double underfeed, normal, overfeed;
-
-  /// -1 at underfeed, 0 at normal, +1 at overfeed, and on beyond.
-  double deviation(double feed_bar) const noexcept;
-};
-FeedPoints feed_points(const SceneOptions& options) noexcept;
 
 /// What is heard at one feed pressure.
 struct FeedPlace {

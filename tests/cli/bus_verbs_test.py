@@ -82,16 +82,31 @@ class Decode(Case):
         self.assertEqual(result.returncode, 0, result.stderr)
         rows = list(csv.DictReader(io.StringIO(result.stdout)))
         self.assertEqual(list(rows[0]), ['time_s', 'signal', 'value'])
-        words = [(r['value'], round(float(r['time_s']))) for r in rows if r['signal'] == 'rattling']
-        self.assertEqual(words, [('none', 0), ('closed', 62), ('open', 68), ('none', 76)])
-        words = [(r['value'], round(float(r['time_s']))) for r in rows if r['signal'] == 'percussion']
-        self.assertEqual(words, [('off', 0), ('on', 14), ('off', 76)])
-        feed = [(float(r['time_s']), float(r['value'])) for r in rows if r['signal'] == 'feed_pressure_bar']
+        def told(signal):
+            return [(float(r['time_s']), r['value']) for r in rows if r['signal'] == signal]
+
+        def words(signal):
+            return [(value, round(time)) for time, value in told(signal)]
+
+        self.assertEqual(words('rattling'), [('none', 0), ('closed', 79), ('open', 86), ('none', 94)])
+        self.assertEqual(words('percussion'),
+                         [('off', 0), ('on', 11), ('off', 32), ('on', 36), ('off', 71), ('on', 79), ('off', 94)])
+        self.assertEqual(words('rod_count'), [('1', 0), ('2', 35), ('1', 79)])
+        self.assertEqual(words('rock'), [('1', 0), ('2', 44)])
+        self.assertEqual(words('rod_broken'), [('no', 0), ('yes', 68), ('no', 79)])
+        self.assertEqual(words('simulation'), [('run', 0), ('freeze', 73), ('run', 77)])
+        feed = [(time, float(value)) for time, value in told('feed_pressure_bar')]
         # The thresholds of demo.toml, half a hysteresis away: each phase is safely the named one.
-        for begin, end, low, high in ((17, 26, 15, 57), (28, 40, 63, 117), (42, 50, 123, 300), (53, 62, 63, 117)):
+        for begin, end, low, high in ((14, 19, 15, 57), (21, 32, 63, 117), (38, 52, 63, 117), (60, 68, 123, 300)):
             values = [v for t, v in feed if begin <= t < end]
             self.assertGreater(len(values), 50)
             self.assertTrue(low < min(values) and max(values) < high, (begin, min(values), max(values)))
+        # The feed creeps up by 5 bar a second.
+        second = [sum(v for t, v in feed if s <= t < s + 1) / sum(1 for t, v in feed if s <= t < s + 1) for s in range(54, 67)]
+        self.assertTrue(all(3 < b - a < 7 for a, b in zip(second, second[1:])), second)
+        depth = [(time, float(value)) for time, value in told('feed_position_m')]
+        self.assertEqual(max(v for t, v in depth if t < 35), 3.66)
+        self.assertLess(min(v for t, v in depth if 35 < t < 36), 0.1)
         times = [float(r['time_s']) for r in rows]
         self.assertEqual(times, sorted(times))
 
@@ -264,6 +279,36 @@ class Render(Case):
         self.assertTrue(digest.startswith('sha256 ') and factor.startswith('realtime_factor '), result.stdout)
         self.assertGreater(float(factor.split()[1]), 0)
         return digest.split()[1]
+
+    def test_states_by_hand_and_a_part_of_the_whole(self):
+        write_sound_set(self.folder / 'set')
+        rig = self.demo_rig()
+        states = self.write('s.csv', 'time_s,signal,value\n0,engine_rpm,1500\n0.1,feed_pressure_bar,90\n'
+                                     '1,rattling,closed\n2,rattling,none\n3,feed_pressure_bar,0\n')
+
+        def render(name, *more):
+            result = run('render', rig, '--states', states, '--out', self.folder / name, *more)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            return data_chunk(self.folder / name)[1], result.stdout
+        whole, said = render('whole.wav')
+        self.assertEqual(said.split()[1], hashlib.sha256(whole).hexdigest())
+        self.assertEqual(len(whole), 2251 * 64 * 2 * 4)  # the last row acts in block 2250, which begins at 3 s
+        block = 64 * 2 * 4
+        part, said = render('part.wav', '--from', 0.5, '--to', 1.5, '--no-hash')
+        self.assertEqual(part, whole[375 * block:1125 * block])
+        self.assertTrue(said.startswith('realtime_factor '))
+        for words, code in ((['--from', 4], 2), (['--from', 2, '--to', 1], 2)):
+            result = run('render', rig, '--states', states, '--out', self.folder / 'none.wav', *words)
+            self.assertEqual(result.returncode, code, result.stderr)
+            self.assertFalse((self.folder / 'none.wav').exists())
+
+    def test_states_that_are_none(self):
+        write_sound_set(self.folder / 'set')
+        rig = self.demo_rig()
+        for text, parts in (('time_s,signal,value\n0,engine_rpn,1500\n', (':2', 'engine_rpn')),
+                            ('time_s,signal,value\n0,left.rock,1\n', ("no boom 'left'", 'boom'))):
+            states = self.write('s.csv', text)
+            self.refused(['render', rig, '--states', states, '--out', self.folder / 'no.wav'], *parts)
 
     def test_same_input_same_bits(self):
         write_sound_set(self.folder / 'set')

@@ -15,6 +15,7 @@ void add_background(cli::Verb& program);
 void add_bench(cli::Verb& program);
 void add_check(cli::Verb& program);
 void add_clicks(cli::Verb& program);
+void add_contrast(cli::Verb& program);
 void add_ctl(cli::Verb& program);
 void add_decode(cli::Verb& program);
 void add_denoise(cli::Verb& program);

@@ -10,7 +10,7 @@
 #include "temporary_folder.hpp"
 #include "timeline/activity.hpp"
 #include "timeline/level_picture.hpp"
-#include "timeline/state_table.hpp"
+#include "rigsound/session/state_table.hpp"
 
 using namespace rigsound;
 using namespace rigsound::analysis;
@@ -96,7 +96,7 @@ TEST_CASE("the spans of the picture lie where the states change") {
 
 TEST_CASE("the thresholds decide, and have the engine's hysteresis") {
   const Render render(kStates);
-  const StateTable states = read_states(render.states);
+  const session::StateTable states = session::read_states(render.states);
   SceneOptions scene;
   const auto names = [&] {
     std::vector<Activity> found;
@@ -118,7 +118,7 @@ TEST_CASE("rattling, a standing diesel and a second boom") {
   const Render render(
       "time_s,signal,value\n1,engine_rpm,800\n2,rattling,closed\n3,rattling,open\n4,rattling,none\n"
       "5,right.rattling,open\n9,engine_rpm,0\n");
-  const StateTable states = read_states(render.states);
+  const session::StateTable states = session::read_states(render.states);
   REQUIRE(states.booms == std::vector<std::string>{"", "right"});
   const auto first = activity_spans(states, 0, {}, 10), second = activity_spans(states, 1, {}, 10);
   REQUIRE(first.size() == 6);

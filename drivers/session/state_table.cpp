@@ -1,6 +1,4 @@
-#include "timeline/state_table.hpp"
-
-#include <fmt/format.h>
+#include "rigsound/session/state_table.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -10,10 +8,10 @@
 #include "rigsound/machine/input_error.hpp"
 #include "rigsound/machine/limits.hpp"
 
-namespace rigsound::analysis {
+namespace rigsound::session {
 namespace {
 
-constexpr const char* kHeading = "time_s,signal,value";
+const std::string kHeading = "time_s,signal,value";
 
 struct Line {
   std::string file;
@@ -35,7 +33,7 @@ Signal signal_of(const std::string& name, const Line& line) {
   if (const auto known = signal_by_name(name)) return *known;
   std::string names;
   for (const SignalInfo& signal : signal_table()) names.append(names.empty() ? "" : ", ").append(signal.name);
-  line.fail("signal", fmt::format("'{}' is no signal, expected one of: {}", name, names));
+  line.fail("signal", "'" + name + "' is no signal, expected one of: " + names);
 }
 
 double value_of(Signal signal, const std::string& text, const Line& line) {
@@ -44,10 +42,9 @@ double value_of(Signal signal, const std::string& text, const Line& line) {
     if (value_word(signal, word) == text) return word;
   const auto value = number_in(text);
   if (value && (known.takes(*value) || *value == known.absent)) return *value;
-  line.fail(known.name,
-            fmt::format("'{}' is no value of it, expected ", text) +
-                (known.words.empty() ? fmt::format("a number from {:g} to {:g}", known.min, known.max)
-                                     : fmt::format("one of {}", known.words)));
+  const std::string range = "a number from " + number_text(known.min) + " to " + number_text(known.max);
+  line.fail(known.name, "'" + text + "' is no value of it, expected " +
+                            (known.words.empty() ? range : "one of " + std::string(known.words)));
 }
 
 /// "feed_pressure_bar" is the first boom's, "NAME.feed_pressure_bar" that of boom NAME.
@@ -58,7 +55,8 @@ SignalId id_of(const std::string& label, std::vector<std::string>& booms, const 
   auto known = std::find(booms.begin(), booms.end(), boom);
   if (known == booms.end()) {
     if (booms.size() == kMaxBooms)
-      line.fail("signal", fmt::format("'{}' is of one boom too many, expected {} at most", label, kMaxBooms));
+      line.fail("signal", "'" + label + "' is of one boom too many, expected " + std::to_string(kMaxBooms) +
+                              " at most");
     known = booms.insert(booms.end(), boom);
   }
   return {signal, static_cast<std::uint8_t>(known - booms.begin())};
@@ -68,7 +66,7 @@ StateChange change_of(const std::string& text, std::vector<std::string>& booms, 
   const std::size_t first = text.find(','), second = text.find(',', first + 1);
   if (first == std::string::npos || second == std::string::npos ||
       text.find(',', second + 1) != std::string::npos)
-    line.fail("", fmt::format("'{}' is no row, expected {}", text, kHeading));
+    line.fail("", "'" + text + "' is no row, expected " + kHeading);
   const auto time_s = number_in(text.substr(0, first));
   if (!time_s) line.fail("time_s", "'" + text.substr(0, first) + "' is no number, expected seconds");
   const SignalId id = id_of(text.substr(first + 1, second - first - 1), booms, line);
@@ -93,7 +91,7 @@ StateTable read_states(const std::filesystem::path& file) {
     if (!text.empty() && text.back() == '\r') text.pop_back();
     if (line.number == 1) {
       if (text != kHeading)
-        line.fail("", fmt::format("is no heading, expected {} as rigsound decode prints it", kHeading));
+        line.fail("", "is no heading, expected " + kHeading + " as rigsound decode prints it");
       continue;
     }
     if (text.empty()) continue;
@@ -106,4 +104,4 @@ StateTable read_states(const std::filesystem::path& file) {
   return table;
 }
 
-}  // namespace rigsound::analysis
+}  // namespace rigsound::session
