@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "rig/units.hpp"
 
@@ -51,17 +52,43 @@ std::string unit_doubt(const MappedSignal& s, const std::vector<MappedSignal>& a
   return both + now + ": scale = " + number_text(meant) + "?";
 }
 
-std::string range_doubt(const MappedSignal& s) {
+/// What the rig makes of the range that the DBC gives; nothing when it gives none.
+std::optional<std::pair<double, double>> range_of(const MappedSignal& s) {
+  if (s.min == 0 && s.max == 0) return std::nullopt;
+  const double a = s.min * s.scale + s.offset, b = s.max * s.scale + s.offset;
+  return std::pair(std::min(a, b), std::max(a, b));
+}
+
+bool inside(const std::pair<double, double>& range, Signal target) {
+  const SignalInfo& signal = info(target);
+  const bool zero_may_be = signal.kind == SignalKind::kNumberOrZero && range.first == 0;
+  return (range.first >= signal.min || zero_may_be) && range.second <= signal.max;
+}
+
+/// Another signal whose place this one would fill, and the other way round.
+std::string swapped_by_range(const MappedSignal& s, const std::vector<MappedSignal>& all) {
+  const auto own = range_of(s);
+  for (const MappedSignal& other : all) {
+    const auto its = range_of(other);
+    const bool clamped = its && info(other.target.signal).kind == SignalKind::kClampedNumber;
+    if (other.name != s.name && its && clamped && inside(*own, other.target.signal) &&
+        inside(*its, s.target.signal))
+      return std::string(info(other.target.signal).name);
+  }
+  return {};
+}
+
+std::string range_doubt(const MappedSignal& s, const std::vector<MappedSignal>& all) {
   const SignalInfo& signal = info(s.target.signal);
-  if (s.min == 0 && s.max == 0) return {};
-  const double ends[] = {s.min * s.scale + s.offset, s.max * s.scale + s.offset};
-  const double low = std::min(ends[0], ends[1]), high = std::max(ends[0], ends[1]);
-  const bool zero_may_be = signal.kind == SignalKind::kNumberOrZero && low == 0;
-  if ((low >= signal.min || zero_may_be) && high <= signal.max) return {};
+  const auto range = range_of(s);
+  if (!range || inside(*range, s.target.signal)) return {};
+  const auto [low, high] = *range;
   const std::string unit = signal.unit.empty() ? "" : " " + std::string(signal.unit);
-  std::string text = s.name + " goes from " + number_text(low) + " to " + number_text(high) + unit + ", " +
-                     std::string(signal.name) + " from " + number_text(signal.min) + " to " +
-                     number_text(signal.max) + unit;
+  const std::string text = s.name + " goes from " + number_text(low) + " to " + number_text(high) + unit +
+                           ", " + std::string(signal.name) + " from " + number_text(signal.min) + " to " +
+                           number_text(signal.max) + unit;
+  const std::string other = swapped_by_range(s, all);
+  if (!other.empty()) return text + ": swapped with " + other + "?";
   const bool share_in_percent = signal.max == 1 && !signal.stepped() && low == 0 && high == 100;
   if (share_in_percent) return text + ": scale = " + number_text(s.scale / 100) + "?";
   return text + (signal.kind == SignalKind::kClampedNumber && low >= signal.min
@@ -83,7 +110,7 @@ std::vector<std::string> doubts(const std::vector<MappedSignal>& signals) {
   std::vector<std::string> lines;
   for (const MappedSignal& signal : signals) {
     std::string doubt = unit_doubt(signal, signals);
-    if (doubt.empty()) doubt = range_doubt(signal);
+    if (doubt.empty()) doubt = range_doubt(signal, signals);
     if (!doubt.empty()) lines.push_back(signal.where + ": " + doubt);
   }
   return lines;

@@ -134,7 +134,10 @@ std::vector<udp::NameRoute> free_signals(const Rig& rig) {
   for_each_source(rig, [&](const char*, SignalId id) { taken.emplace(id.signal, id.boom); });
   std::vector<udp::NameRoute> routes;
   for_each_signal(static_cast<int>(rig.engine.booms.size()), [&](SignalId id) {
-    if (taken.count({id.signal, id.boom}) == 0) routes.push_back({id, signal_label(rig, id)});
+    if (taken.count({id.signal, id.boom}) != 0) return;
+    const std::string name = signal_label(rig, id);
+    const bool of_first_boom = info(id.signal).per_boom && id.boom == 0;
+    routes.push_back({id, name, of_first_boom ? rig.engine.booms.front().name + "." + name : ""});
   });
   return routes;
 }

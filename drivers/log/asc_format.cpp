@@ -30,7 +30,8 @@ class AscFormat : public CanLineFormat {
 
   bool begins_a_frame(std::string_view line) const override {
     const TokenList tokens(line);
-    return tokens.size() > 2 && decimal_ns(tokens[0], kNano) &&
+    const bool told = tokens.size() > 2 && tokens[2].back() == ':';  // Statistic: ...
+    return tokens.size() > 2 && !told && decimal_ns(tokens[0], kNano) &&
            (tokens[1] == "CANFD" || number_of(tokens[1], 10, kMostChannels));
   }
 

@@ -64,23 +64,25 @@ bool has_line(const std::string& start, std::string_view beginning) {
          start.find("\n" + std::string(beginning)) != std::string::npos;
 }
 
-/// candump -t d and -t z look alike, `(000.020000)`: stamps that stay as they are or fall count from the
-/// frame before, those that grow from the first frame.
+/// candump -t d and -t z look alike, `(000.020000)`: stamps of which some fall, or most stay as they are,
+/// count from the frame before, those that grow from the first frame.
 CandumpStamps stamps_of(const LogFile& file) {
   constexpr int kEnough = 1000;
   constexpr std::int64_t kMost_ns = 1000 * std::int64_t{1'000'000'000};  // of three digits
   LineReader reader(file, candump_format());
   CanRecord record;
   std::int64_t last_ns = 0;
-  int steps = 0, not_growing = 0;
+  int steps = 0, falling = 0, equal = 0;
   for (int n = 0; n < kEnough && reader.next(record); ++n) {
-    if (n == 0 && record.time_ns != 0) return CandumpStamps::kAbsolute;
-    if (record.time_ns >= kMost_ns) return CandumpStamps::kAbsolute;
+    if ((n == 0 && record.time_ns != 0) || record.time_ns >= kMost_ns) return CandumpStamps::kAbsolute;
     steps += n > 0 ? 1 : 0;
-    not_growing += n > 0 && record.time_ns <= last_ns ? 1 : 0;
+    falling += record.time_ns < last_ns ? 1 : 0;
+    equal += n > 0 && record.time_ns == last_ns ? 1 : 0;
     last_ns = record.time_ns;
   }
-  return steps >= 2 && not_growing * 4 >= steps ? CandumpStamps::kSinceLastFrame : CandumpStamps::kAbsolute;
+  const bool gaps = falling * 10 >= steps && falling > 0;
+  const bool same_gaps = falling == 0 && steps >= 2 && equal * 2 >= steps;
+  return gaps || same_gaps ? CandumpStamps::kSinceLastFrame : CandumpStamps::kAbsolute;
 }
 
 /// The log form has ten digits of seconds.

@@ -69,7 +69,9 @@ void CanLog::find_buses(const std::vector<can::CanOptions>& buses, const LogOpti
   bool good = useful();
   if (seen.empty())
     throw InputError(file_.name(),
-                     "holds no CAN frame, expected a log of candump, ASC, TRC or a capture of SocketCAN");
+                     "holds no CAN frame, expected a log of candump, ASC, TRC or a capture of SocketCAN; "
+                     "can_logconvert of "
+                     "python3-can makes a candump log of others");
   const bool any_wanted =
       std::any_of(seen.begin(), seen.end(), [&](const std::string& name) { return wanted.count(name) != 0; });
   if (!any_wanted && (buses.size() != 1 || seen.size() != 1))

@@ -33,14 +33,13 @@ void set_word(Bytes& bytes, std::size_t at, std::uint16_t word) {
   bytes[at + 1] = static_cast<std::uint8_t>(word & 0xff);
 }
 
-/// The head of an IPv4 packet between two addresses of this machine.
-Bytes ip_head(int protocol, std::size_t payload) {
+Bytes ip_head(int protocol, std::size_t payload, const MadeUpEnd& from, const MadeUpEnd& to) {
   Bytes p;
   put(p, 0x45000000U | static_cast<std::uint32_t>(20 + payload), 4);
   put(p, 0x00004000, 4);                                                // no fragments
   put(p, 0x40000000U | static_cast<std::uint32_t>(protocol) << 16, 4);  // 64 hops
-  put(p, 0x7f000001, 4);
-  put(p, 0x7f000001, 4);
+  put(p, from.address, 4);
+  put(p, to.address, 4);
   return p;
 }
 
@@ -54,11 +53,11 @@ void seal(Bytes& p, int protocol, std::size_t checksum_at) {
 
 }  // namespace
 
-Bytes tcp_packet(const Bytes& frame, int from_port, int to_port, std::uint32_t sequence,
+Bytes tcp_packet(const Bytes& frame, const MadeUpEnd& from, const MadeUpEnd& to, std::uint32_t sequence,
                  std::uint32_t acknowledged) {
-  Bytes p = ip_head(kTcp, 20 + frame.size());
-  put(p, static_cast<std::uint32_t>(from_port), 2);
-  put(p, static_cast<std::uint32_t>(to_port), 2);
+  Bytes p = ip_head(kTcp, 20 + frame.size(), from, to);
+  put(p, static_cast<std::uint32_t>(from.port), 2);
+  put(p, static_cast<std::uint32_t>(to.port), 2);
   put(p, sequence, 4);
   put(p, acknowledged, 4);
   put(p, 0x5018ffff, 4);  // no options, PSH ACK, window
@@ -68,10 +67,10 @@ Bytes tcp_packet(const Bytes& frame, int from_port, int to_port, std::uint32_t s
   return p;
 }
 
-Bytes udp_packet(const std::string& text, int from_port, int to_port) {
-  Bytes p = ip_head(kUdp, 8 + text.size());
-  put(p, static_cast<std::uint32_t>(from_port), 2);
-  put(p, static_cast<std::uint32_t>(to_port), 2);
+Bytes udp_packet(const std::string& text, const MadeUpEnd& from, const MadeUpEnd& to) {
+  Bytes p = ip_head(kUdp, 8 + text.size(), from, to);
+  put(p, static_cast<std::uint32_t>(from.port), 2);
+  put(p, static_cast<std::uint32_t>(to.port), 2);
   put(p, static_cast<std::uint32_t>(8 + text.size()), 2);
   put(p, 0, 2);
   p.insert(p.end(), text.begin(), text.end());

@@ -9,7 +9,11 @@
 
 namespace rigsound::log {
 
-constexpr int kMadeUpClientPort = 49152;
+/// An end of a connection over IPv4.
+struct MadeUpEnd {
+  std::uint32_t address = 0x7f000001;  ///< 127.0.0.1
+  int port = 49152;
+};
 
 /// Raw IP, nanoseconds. Thread: one at a time. Errors: DeviceError.
 class CaptureDump {
@@ -25,11 +29,11 @@ class CaptureDump {
   std::unique_ptr<File> file_;
 };
 
-/// IPv4 and TCP headers around `frame`, between two ports of 127.0.0.1, checksums included.
-std::vector<std::uint8_t> tcp_packet(const std::vector<std::uint8_t>& frame, int from_port, int to_port,
-                                     std::uint32_t sequence, std::uint32_t acknowledged);
+/// IPv4 and TCP headers around `frame`, checksums included.
+std::vector<std::uint8_t> tcp_packet(const std::vector<std::uint8_t>& frame, const MadeUpEnd& from,
+                                     const MadeUpEnd& to, std::uint32_t sequence, std::uint32_t acknowledged);
 
 /// The same with UDP; `text`: at most 65507 bytes.
-std::vector<std::uint8_t> udp_packet(const std::string& text, int from_port, int to_port);
+std::vector<std::uint8_t> udp_packet(const std::string& text, const MadeUpEnd& from, const MadeUpEnd& to);
 
 }  // namespace rigsound::log

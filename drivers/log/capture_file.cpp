@@ -12,7 +12,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr std::uint32_t kMaxRecord = 1 << 20;  // bytes; no packet of a bus is longer
+constexpr std::uint32_t kMaxRecord = 16 << 20;  // bytes; no packet of a bus is longer
 constexpr std::uint32_t kSection = 0x0A0D0D0A, kInterface = 1, kOldPacket = 2, kSimple = 3, kEnhanced = 6;
 constexpr std::uint32_t kByteOrderMagic = 0x1A2B3C4D;
 constexpr std::uint32_t kOptionName = 2, kOptionResolution = 9, kOptionOffset = 14;

@@ -10,7 +10,7 @@ UdpCaptureWriter::UdpCaptureWriter(const std::filesystem::path& file)
 UdpCaptureWriter::~UdpCaptureWriter() = default;
 
 void UdpCaptureWriter::write(std::int64_t time_ns, int port, const std::string& text) {
-  file_->write(time_ns, udp_packet(text, kMadeUpClientPort, port));
+  file_->write(time_ns, udp_packet(text, {}, {MadeUpEnd().address, port}));
 }
 
 void UdpCaptureWriter::flush() { file_->flush(); }

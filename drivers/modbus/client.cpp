@@ -50,15 +50,21 @@ void Client::step() {
     if (may_open()) connect();
     return;
   }
-  // Of those that are due first the one that comes after the last: units in turn.
-  std::size_t next = last_;
-  for (std::size_t i = 1; i <= units_.size(); ++i) {
-    const std::size_t candidate = (last_ + i) % units_.size();
-    if (i == 1 || units_[candidate].next_poll_ms < units_[next].next_poll_ms) next = candidate;
-  }
+  const std::size_t next = next_unit(monotonic_ms());
   if (!wait_until(units_[next].next_poll_ms)) return;
   last_ = next;
   poll(units_[next]);
+}
+
+/// Those that are due in turn; when none is, the one that will be first.
+std::size_t Client::next_unit(std::int64_t now_ms) const {
+  std::size_t first = 0;
+  for (std::size_t i = 1; i <= units_.size(); ++i) {
+    const std::size_t candidate = (last_ + i) % units_.size();
+    if (units_[candidate].next_poll_ms <= now_ms) return candidate;
+    if (i == 1 || units_[candidate].next_poll_ms < units_[first].next_poll_ms) first = candidate;
+  }
+  return first;
 }
 
 bool Client::connect() {
@@ -83,7 +89,7 @@ void Client::poll(Unit& unit) {
   const std::int64_t late_ms = unit.next_poll_ms == 0 ? 0 : now_ms - unit.next_poll_ms;
   // A slow device loses polls, it does not gather them.
   unit.next_poll_ms = now_ms - late_ms % period_ms + period_ms;
-  const std::vector<PollRequest> plan = unit.plan;                       // what is refused changes it
+  const std::vector<PollRequest> plan = unit.plan;  // what is refused changes it
   for (const PollRequest& request : plan) {
     switch (ask(unit, request)) {
       case Outcome::kAnswered:

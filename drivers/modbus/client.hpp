@@ -32,6 +32,7 @@ class Client final : public ModbusBus {
   };
   enum class Outcome : std::uint8_t { kAnswered, kRefused, kSilent, kLost };
 
+  std::size_t next_unit(std::int64_t now_ms) const;
   bool connect();
   void poll(Unit& unit);
   Outcome ask(Unit& unit, const PollRequest& request);

@@ -94,7 +94,10 @@ class Handler : public nlohmann::json_sax<nlohmann::json> {
 }  // namespace
 
 DatagramReader::DatagramReader(const std::vector<NameRoute>& routes) {
-  for (const NameRoute& route : routes) names_[route.name] = route.target;
+  for (const NameRoute& route : routes) {
+    names_[route.name] = route.target;
+    if (!route.alias.empty()) names_[route.alias] = route.target;
+  }
 }
 
 std::optional<DatagramContent> DatagramReader::read(std::string_view text, double time_s,

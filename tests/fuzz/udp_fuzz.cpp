@@ -9,7 +9,7 @@ using namespace rigsound;
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const udp::DatagramReader reader(
-      {{{Signal::kEngineRpm, 0}, "engine_rpm"}, {{Signal::kRattling, 1}, "boom2.rattling"}});
+      {{{Signal::kEngineRpm, 0}, "engine_rpm", ""}, {{Signal::kRattling, 1}, "boom2.rattling", ""}});
   std::string problem;
   const auto content = reader.read({reinterpret_cast<const char*>(data), size}, 1, problem);
   if (!content) {

@@ -66,6 +66,7 @@ class Modbus(unittest.TestCase):
             while time.monotonic() < end:
                 s = daemon.signal('feed_pressure_bar')
                 seen.add((s['value'], s['validity']))
+                time.sleep(0.05)
             self.assertEqual(seen, {(90, 'valid')})
             self.assertLessEqual(len(changes(daemon.log())), 1)
 

@@ -25,8 +25,8 @@ void write(log::CandumpWriter& out, const can::CanOptions& bus, const can::Arriv
   out.write({static_cast<std::int64_t>(arrival.realtime_s * 1e9), bus.interface, arrival.frame});
 }
 
-void write(log::ModbusCaptureWriter& out, const modbus::Line&, const modbus::Exchange& exchange) {
-  out.write(realtime_ns(), exchange);
+void write(log::ModbusCaptureWriter& out, const modbus::Line& line, const modbus::Exchange& exchange) {
+  out.write(realtime_ns(), {line.front().host, line.front().port}, exchange);
 }
 
 void write(log::UdpCaptureWriter& out, const udp::UdpOptions& input, const udp::Datagram& datagram) {

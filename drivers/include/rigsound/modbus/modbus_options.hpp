@@ -97,7 +97,7 @@ void fields(Archive& a, ModbusOptions& o) {
   a("unit", o.unit, Range{0, 255});
   a("poll_s", o.poll_s, Range{0.005, 60, "s"});
   a("timeout_s", o.timeout_s, Range{0.01, 60, "s"});
-  a("pause_s", o.pause_s, Range{0, 10, "s"});
+  a("pause_s", o.pause_s, Range{0, 1, "s"});
   a("master_gone_after_s", o.master_gone_after_s, Range{0, 3600, "s"});
   a("baud", o.baud, Range{300, 4000000, "bit/s"});
   a("parity", o.parity, kParities);

@@ -12,7 +12,8 @@ namespace rigsound::udp {
 /// One machine signal that datagrams may name.
 struct NameRoute {
   SignalId target{};
-  std::string name;  ///< as in the rig: "engine_rpm", "boom2.rattling"
+  std::string name;   ///< as in the rig: "engine_rpm", "boom2.rattling"
+  std::string alias;  ///< of the first boom's signals: the name with the boom before it; else empty
 };
 
 struct UdpOptions {

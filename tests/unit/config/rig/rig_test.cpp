@@ -283,6 +283,14 @@ TEST_CASE("two signals that stand in each other's place are named") {
   CHECK(with_signals(both, "engine_rpm = \"M.Speed\"\nfeed_pressure_bar = \"M.Feed\"\n").doubts.empty());
 }
 
+TEST_CASE("signals that are swapped are told by their ranges, too") {
+  const std::string both =
+      " SG_ A : 0|16@1+ (1,0) [0|4000] \"\" A\n SG_ B : 16|16@1+ (0.01,0) [0|250] \"\" A\n";
+  const config::Rig rig = with_signals(both, "engine_rpm = \"M.B\"\nfeed_pressure_bar = \"M.A\"\n");
+  REQUIRE(rig.doubts.size() == 1);
+  CHECK(rig.doubts[0].find("swapped with engine_rpm?") != std::string::npos);
+}
+
 TEST_CASE("a share in percent is understood by its unit, unless the rig gives a scale") {
   const std::string load = " SG_ Load : 0|8@1+ (0.5,0) [0|100] \"%\" A\n";
   const config::Rig by_unit = with_signals(load, "engine_load = \"M.Load\"\n");
@@ -448,6 +456,12 @@ TEST_CASE("a UDP input takes what no other bus delivers, or what it is told") {
   for (const SignalInfo& signal : signal_table()) ++(signal.per_boom ? boom_signals : rig_signals);
   CHECK(static_cast<int>(all.udp[0].routes.size()) == rig_signals + 2 * boom_signals);
   CHECK(rule(all, Signal::kFeedPressureBar).stale_after_s == 1);
+  const auto& routes = all.udp[0].routes;
+  const auto feed = std::find_if(routes.begin(), routes.end(), [](const udp::NameRoute& route) {
+    return route.name == "feed_pressure_bar";
+  });
+  REQUIRE(feed != routes.end());
+  CHECK(feed->alias == "a.feed_pressure_bar");
   const config::Rig rest =
       loaded(minimal() + "[[udp]]\naddress = \"0.0.0.0:7000\"\nallow = [\"10.0.0.0/8\"]\n");
   CHECK(std::none_of(rest.udp[0].routes.begin(), rest.udp[0].routes.end(),

@@ -40,7 +40,7 @@ const std::vector<Exchange> kSaid = {{1, Table::kHolding, true, 0, {855, 0x43F9,
 void write_said(const fs::path& file) {
   ModbusCaptureWriter writer(file);
   for (std::size_t i = 0; i < kSaid.size(); ++i)
-    writer.write(1'733'212'800'000'000'000 + static_cast<std::int64_t>(i) * 1'500'000'001, kSaid[i]);
+    writer.write(1'733'212'800'000'000'000 + static_cast<std::int64_t>(i) * 1'500'000'001, {"", 0}, kSaid[i]);
   writer.flush();
 }
 
@@ -96,6 +96,37 @@ TEST_CASE("A capture plays onto the board at its own times") {
   log.read_until(5, board);
   CHECK(board.entry({Signal::kPercussion}).value == 1);
   CHECK(board.entry({Signal::kPercussion}).seen_s == doctest::Approx(4.5));
+}
+
+TEST_CASE("Two recorded devices with the same unit stay apart") {
+  const OwnFile file;
+  {
+    ModbusCaptureWriter writer(file.path);
+    for (int i = 0; i < 3; ++i) {
+      const auto words = [i](int base) {
+        return std::vector<std::uint16_t>{static_cast<std::uint16_t>(base + i)};
+      };
+      writer.write(i, {"10.0.0.1", 502}, {1, Table::kHolding, false, 0, words(10)});
+      writer.write(i, {"10.0.0.2", 502}, {1, Table::kHolding, false, 0, words(20)});
+    }
+    writer.flush();
+  }
+  const auto link = [](const char* host, Signal signal) {
+    modbus::ModbusOptions options;
+    options.role = modbus::Role::kClient;
+    options.host = host;
+    options.port = 502;
+    options.address = std::string(host) + ":502";
+    options.routes = {modbus::route(signal, Table::kHolding, 0)};
+    return options;
+  };
+  ModbusLog log(LogFile(file.path),
+                {link("10.0.0.1", Signal::kFeedPressureBar), link("10.0.0.2", Signal::kRotationPressureBar)},
+                {});
+  SignalBoard board;
+  log.read_until(10, board);
+  CHECK(board.entry({Signal::kFeedPressureBar}).value == 12);
+  CHECK(board.entry({Signal::kRotationPressureBar}).value == 22);
 }
 
 TEST_CASE("Streams take repeated, overlapping and lost segments as TCP does") {

@@ -19,11 +19,11 @@ using modbus::Told;
 namespace {
 
 std::vector<NameRoute> routes() {
-  return {{{Signal::kEngineRpm, 0}, "engine_rpm"},
-          {{Signal::kPercussion, 0}, "percussion"},
-          {{Signal::kRattling, 0}, "rattling"},
-          {{Signal::kRattling, 1}, "boom2.rattling"},
-          {{Signal::kFeedPressureBar, 1}, "boom2.feed_pressure_bar"}};
+  return {{{Signal::kEngineRpm, 0}, "engine_rpm", ""},
+          {{Signal::kPercussion, 0}, "percussion", "boom1.percussion"},
+          {{Signal::kRattling, 0}, "rattling", "boom1.rattling"},
+          {{Signal::kRattling, 1}, "boom2.rattling", ""},
+          {{Signal::kFeedPressureBar, 1}, "boom2.feed_pressure_bar", ""}};
 }
 
 /// `engine_rpm 1500; boom2.rattling 1`, or `! why not`.
@@ -69,6 +69,7 @@ TEST_CASE("A datagram names signals and says their values, in every way people w
   CHECK(read(R"({"boom2": {"rattling": "open", "feed_pressure_bar": 90.5}, "engine_rpm": 1e3})") ==
         "boom2.rattling 2; boom2.feed_pressure_bar 90.5; engine_rpm 1000");
   CHECK(read(R"({"percussion": true, "rattling": "none"})") == "percussion 1; rattling 0");
+  CHECK(read(R"({"boom1": {"percussion": 1}, "boom1.rattling": 2})") == "percussion 1; rattling 2");
   CHECK(read(R"({"percussion": null})") == "percussion not_available");
   CHECK(read(R"({"seq": 7, "percussion": false})") == "percussion 0 seq 7");
   CHECK(read(R"({"engine_rmp": 1, "percussion": 1})") == "percussion 1 unknown engine_rmp");
