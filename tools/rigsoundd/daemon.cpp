@@ -15,6 +15,7 @@
 #include "rigsound/modbus/modbus_bus.hpp"
 #include "rigsound/monotonic_time.hpp"
 #include "rigsound/socket/tcp_listener.hpp"
+#include "rigsound/udp/udp_bus.hpp"
 
 namespace rigsound::daemon {
 namespace {
@@ -83,7 +84,8 @@ void Daemon::start_feeds() {
         std::make_unique<Feed>([&](BusListener& listener) { return make_bus(bus, listener); }, exchange_));
   };
   for (const can::CanOptions& bus : loaded_.rig.can) start(bus);
-  for (const modbus::ModbusOptions& bus : loaded_.rig.modbus) start(bus);
+  for (const modbus::Line& line : modbus::lines(loaded_.rig.modbus)) start(line);
+  for (const udp::UdpOptions& input : loaded_.rig.udp) start(input);
 }
 
 void Daemon::run(int signals) {

@@ -1,9 +1,18 @@
 #include "feed.hpp"
 
+#include "rigsound/monotonic_time.hpp"
+
 namespace rigsound::daemon {
 
 Feed::Feed(const MakeBus& make, StateExchange& exchange)
-    : exchange_(exchange), bus_(make(*this)), status_(bus_->name()), thread_([this] { bus_->run(stop_); }) {}
+    : exchange_(exchange), bus_(make(*this)), status_(bus_->name()), thread_([this] { run(); }) {}
+
+void Feed::run() {
+  while (!stop_) {
+    bus_->step();
+    status_.poll(monotonic_ms());
+  }
+}
 
 Feed::~Feed() {
   stop_ = true;

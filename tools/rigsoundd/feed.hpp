@@ -26,6 +26,7 @@ class Feed : private BusListener {
   BusSnapshot snapshot() const;  ///< Thread: CT
 
  private:
+  void run();
   void readings(const Reading* first, std::size_t count) override;
   void up() override { status_.up(); }
   void down(const std::string& why) override { status_.down(why); }

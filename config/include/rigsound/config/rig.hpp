@@ -13,6 +13,7 @@
 #include "rigsound/engine.hpp"
 #include "rigsound/machine/signal_board.hpp"
 #include "rigsound/modbus/modbus_options.hpp"
+#include "rigsound/udp/udp_options.hpp"
 
 namespace rigsound::config {
 
@@ -39,7 +40,10 @@ struct Rig {
   SafetyOptions safety;
   std::vector<can::CanOptions> can;
   std::vector<modbus::ModbusOptions> modbus;
+  std::vector<udp::UdpOptions> udp;
   ControlOptions control;
+  std::vector<std::string>
+      doubts;  ///< what is probably a mistake, `FILE:LINE: KEY: what is odd, what was meant?`
 };
 
 /// Whether a rig's buses, and the files they name, are wanted at all.
