@@ -125,5 +125,41 @@ class Live(Case):
         self.assertTrue(bus['up'])
 
 
+class Reload(Case):
+    def test_a_bus_of_which_nothing_changed_goes_on(self):
+        with socket.create_server(('127.0.0.1', 0)) as probe:
+            port = probe.getsockname()[1]
+        modbus = f'[[modbus]]\naddress = "127.0.0.1:{port}"\n[modbus.signals]\nrock = {{ address = 0 }}\n'
+        self.rig.write_text(self.rig.read_text() + modbus)
+        daemon = subprocess.Popen([RIGSOUNDD, self.rig], stderr=subprocess.PIPE, text=True)
+        self.addCleanup(daemon.stderr.close)
+        self.addCleanup(daemon.wait)
+        self.addCleanup(daemon.kill)
+        wait_for((self.folder / 's').exists)
+
+        def ask(command):
+            with socket.socket(socket.AF_UNIX) as client:
+                client.connect(str(self.folder / 's'))
+                client.sendall(json.dumps({'command': command}).encode() + b'\n')
+                with client.makefile() as answer:
+                    return json.loads(answer.readline())
+
+        wait_for(lambda: all(bus['up'] for bus in ask('status')['buses']))
+        with socket.create_connection(('127.0.0.1', port), timeout=PATIENCE_S) as master:
+            def write(value):
+                try:
+                    master.sendall(bytes((0, 1, 0, 0, 0, 6, 1, 6, 0, 0, 0, value)))
+                    return master.recv(12)[-1:]
+                except ConnectionError:
+                    return b''
+            self.assertEqual(write(1), b'\1')
+            self.rig.write_text(self.rig.read_text().replace(str(self.port), str(free_port())))
+            self.assertTrue(ask('reload')['ok'])
+            self.assertEqual(write(2), b'\2')  # the same connection
+            self.rig.write_text(self.rig.read_text().replace('address = 0', 'address = 1'))
+            self.assertTrue(ask('reload')['ok'])
+            self.assertEqual(write(3), b'')  # now the bus is another
+
+
 if __name__ == '__main__':
     unittest.main(argv=[sys.argv[0], '-v'])

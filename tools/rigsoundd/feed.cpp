@@ -4,8 +4,12 @@
 
 namespace rigsound::daemon {
 
-Feed::Feed(const MakeBus& make, StateExchange& exchange)
-    : exchange_(exchange), bus_(make(*this)), status_(bus_->name()), thread_([this] { run(); }) {}
+Feed::Feed(const MakeBus& make, StateExchange& exchange, std::string bus_text)
+    : exchange_(exchange),
+      bus_text_(std::move(bus_text)),
+      bus_(make(*this)),
+      status_(bus_->name()),
+      thread_([this] { run(); }) {}
 
 void Feed::run() {
   while (!stop_) {
