@@ -140,7 +140,7 @@ AnalyzerResult run_analyzer(const AnalyzerOptions& options, const AnalyzerProgre
   }
   lint_series(result.banks);
   if (!result.banks.empty())
-    merge(result.banks, options.sound_set);
+    merge(result.banks, options, result.notes);
   else
     running.remove_if_alone();
   return result;
