@@ -10,6 +10,7 @@
 #include "rigsound/analysis/recording.hpp"
 #include "simulate/drillbench_clip.hpp"
 #include "simulate/drilling_recording.hpp"
+#include "spectrum/stft.hpp"
 #include "temporary_folder.hpp"
 
 using namespace rigsound::analysis;
@@ -194,6 +195,30 @@ TEST_CASE(
     CHECK(found.envelope.decay == doctest::Approx(laws.at(feed_bar, 1).decay).epsilon(0.05));
     CHECK(std::abs(static_cast<long>(found.P.size()) - inside) <= 1);
   }
+}
+
+TEST_CASE("the modelled powers are shares of what was recorded, and the drilling's is its true one") {
+  const DrillingLaws laws(6);
+  DrillingCourse course;
+  course.seconds = 8, course.snr_db = 6;
+  course.start_feed_bar = course.end_feed_bar = 150;
+  const DrillingRecording r = simulate_drilling(course, laws, {6, 0});
+  std::vector<float> mix, clean;
+  for (int n = 2 * 48000; n < 5 * 48000; ++n) {
+    mix.push_back(static_cast<float>(r.clean[n] + r.background[n]));
+    clean.push_back(static_cast<float>(r.clean[n]));
+  }
+  const ChainResult result = run_chain(mix, {});
+  const auto power = [](const std::vector<float>& x) {
+    return stft(x, kChainStft).abs2().cast<double>().rowwise().mean().eval();
+  };
+  const Eigen::ArrayXd recorded = power(mix), drilled = power(clean);
+  double worst_db = 0;
+  for (int k = 5; k < 200; ++k) {
+    CHECK(result.signal_psd[k] + result.noise_psd[k] == doctest::Approx(recorded(k)).epsilon(0.01));
+    worst_db = std::max(worst_db, std::fabs(10 * std::log10(result.signal_psd[k] / drilled(k))));
+  }
+  CHECK(worst_db < 1);
 }
 
 TEST_CASE("noise, a rotary drill, a voice, music and a drum machine are no drilling") {
