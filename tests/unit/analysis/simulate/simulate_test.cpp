@@ -123,7 +123,7 @@ TEST_CASE("situations differ as the design says") {
   CHECK(under.process.jitter > 1.5 * normal.process.jitter);
   CHECK(under.process.amplitude_cv > 1.5 * normal.process.amplitude_cv);
   CHECK(under.envelope.decay < 0.7 * normal.envelope.decay);
-  CHECK(brightness(under.clean) > 1.5 * brightness(normal.clean));
+  CHECK(brightness(under.clean) > 1.3 * brightness(normal.clean));
   const double expected = 6 * under.rate_hz;
   CHECK(static_cast<double>(under.clicks.size()) < 0.93 * expected);
   CHECK(static_cast<double>(under.clicks.size()) > 0.80 * expected);
