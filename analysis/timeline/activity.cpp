@@ -31,8 +31,8 @@ void enter(std::vector<ActivitySpan>& spans, Activity now, double from_s, double
 
 }  // namespace
 
-std::vector<ActivitySpan> activity_spans(const StateTable& states, int boom, const SceneOptions& scene,
-                                         double end_s) {
+std::vector<ActivitySpan> activity_spans(const session::StateTable& states, int boom,
+                                         const SceneOptions& scene, double end_s) {
   MachineState state;
   scene::FeedRule rule(scene);
   rule.update(state.boom[boom]);
@@ -40,7 +40,7 @@ std::vector<ActivitySpan> activity_spans(const StateTable& states, int boom, con
   for (std::size_t i = 0; i < states.changes.size();) {
     const double time_s = states.changes[i].time_s;
     for (; i < states.changes.size() && states.changes[i].time_s == time_s; ++i) {
-      const StateChange& change = states.changes[i];
+      const session::StateChange& change = states.changes[i];
       info(change.signal.signal).set(state, change.signal.boom, change.value);
     }
     if (time_s >= end_s) break;

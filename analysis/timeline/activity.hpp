@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "rigsound/options.hpp"
-#include "timeline/state_table.hpp"
+#include "rigsound/session/state_table.hpp"
 
 namespace rigsound::analysis {
 
@@ -27,7 +27,7 @@ struct ActivitySpan {
 
 /// Spans without gaps from 0 to `end_s`, neighbours differ. The situation is the engine's own rule,
 /// hysteresis included. Thread: OFF.
-std::vector<ActivitySpan> activity_spans(const StateTable& states, int boom, const SceneOptions& scene,
-                                         double end_s);
+std::vector<ActivitySpan> activity_spans(const session::StateTable& states, int boom,
+                                         const SceneOptions& scene, double end_s);
 
 }  // namespace rigsound::analysis

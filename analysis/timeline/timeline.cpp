@@ -9,13 +9,15 @@
 #include "chart/outline.hpp"
 #include "chart/plot.hpp"
 #include "chart/png_canvas.hpp"
+#include "chart/situation_colours.hpp"
 #include "chart/spectrum_palette.hpp"
 #include "rigsound/file/atomic_file.hpp"
+#include "rigsound/file/read_files.hpp"
 #include "rigsound/machine/input_error.hpp"
+#include "rigsound/session/state_table.hpp"
 #include "timeline/activity.hpp"
 #include "timeline/level_picture.hpp"
 #include "timeline/sound_file.hpp"
-#include "timeline/state_table.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -31,11 +33,11 @@ struct ActivityLook {
 
 /// In the order of Activity.
 constexpr std::array<ActivityLook, kActivityCount> kLooks = {{
-    {"normal", {106, 183, 118}},
-    {"underfeed", {106, 169, 219}},
-    {"overfeed", {226, 104, 86}},
-    {"closed rattling", {202, 160, 220}},
-    {"open rattling", {141, 96, 184}},
+    {"normal", chart::kSituationColours[0]},
+    {"underfeed", chart::kSituationColours[1]},
+    {"overfeed", chart::kSituationColours[2]},
+    {"closed rattling", chart::kSituationColours[3]},
+    {"open rattling", chart::kSituationColours[4]},
     {"idle", {188, 200, 214}},
     {"off", {222, 222, 226}},
 }};
@@ -71,7 +73,7 @@ constexpr double kTint = 0.17;
 
 class Drawing {
  public:
-  Drawing(const SoundFile& sound, const StateTable& states, const TimelineOptions& options)
+  Drawing(const SoundFile& sound, const session::StateTable& states, const TimelineOptions& options)
       : sound_(sound),
         states_(states),
         options_(options),
@@ -119,7 +121,7 @@ class Drawing {
   void lane_name(const Box& box, const std::string& name);
 
   const SoundFile& sound_;
-  const StateTable& states_;
+  const session::StateTable& states_;
   const TimelineOptions& options_;
   PngCanvas canvas_;
   double tall_, end_s_, top_ = kHead;
@@ -139,7 +141,7 @@ double decibels(double amplitude) { return 20 * std::log10(std::max(amplitude, 1
 
 Drawing::Series Drawing::series(Signal signal, int boom) const {
   Series found{{0}, {info(signal).absent}};
-  for (const StateChange& change : states_.changes)
+  for (const session::StateChange& change : states_.changes)
     if (change.signal.signal == signal && change.signal.boom == boom && change.time_s <= end_s_)
       found.time_s.push_back(std::max(change.time_s, 0.0)), found.value.push_back(change.value);
   return found;
@@ -317,19 +319,12 @@ void Drawing::draw_spectrogram() {
   plot.finish();
 }
 
-void require_other_file(const std::filesystem::path& picture, const std::filesystem::path& input) {
-  std::error_code missing;
-  if (std::filesystem::equivalent(picture, input, missing) && !missing)
-    throw InputError(picture.string(), "is an input, expected another file to write");
-}
-
 }  // namespace
 
 void write_timeline(const std::filesystem::path& picture, const std::filesystem::path& sound,
                     const std::filesystem::path& states, const TimelineOptions& options) {
-  require_other_file(picture, sound);
-  require_other_file(picture, states);
-  const StateTable table = read_states(states);
+  require_not_read(picture, {sound, states});
+  const session::StateTable table = session::read_states(states);
   const SoundFile heard = read_sound(sound);
   Drawing drawing(heard, table, options);
   drawing.draw(options.title.empty() ? sound.filename().string() : options.title);

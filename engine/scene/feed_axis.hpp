@@ -6,23 +6,16 @@
 
 #include "drill/drill_input.hpp"
 #include "rigsound/feed_reach.hpp"
+#include "rigsound/feed_rule.hpp"
 #include "rigsound/options.hpp"
 #include "rigsound/sound_set.hpp"
 
 namespace rigsound::scene {
 
-/// Feed pressures at which the three drilling situations stand, bar.
-struct FeedPoints {
-  double underfeed, normal, overfeed;
-
-  /// -1 at underfeed, 0 at normal, +1 at overfeed, and on beyond.
-  double deviation(double feed_bar) const noexcept;
-};
-FeedPoints feed_points(const SceneOptions& options) noexcept;
-
 /// What is heard at one feed pressure.
 struct FeedPlace {
-  drill::BankChoices banks;   ///< and how likely an impact draws each
+  drill::BankChoices banks;                               ///< and how likely an impact draws each
+  std::array<const BankUse*, drill::kMaxChoices> uses{};  ///< of each of them: what it was chosen for
   drill::Trend trend;         ///< how far the sound has gone on beyond the outermost banks
   double percussion_bar = 0;  ///< percussion pressure the banks were recorded at
 };
@@ -41,7 +34,7 @@ class FeedAxis {
  private:
   struct Point {
     double feed_bar, percussion_bar;
-    int bank;
+    const BankUse* use;
   };
   /// The banks of one rod count, rising in feed.
   struct Series {
@@ -51,6 +44,8 @@ class FeedAxis {
   };
   Series series_of(int rods, int rock) const;
   void add_limits(const Point& end, const FeedLaws& laws, double last_bar, FeedReach& reach) const;
+  const ClickBank& bank_of(const Point& point) const noexcept { return sounds_->banks[point.use->bank]; }
+  void draw(const Point& point, double share, FeedPlace& place) const noexcept;
   void add(const Series& series, double feed_bar, double weight, FeedPlace& place) const noexcept;
   const std::vector<Series>& rock_series(int rock) const noexcept;
 

@@ -28,7 +28,7 @@ def prepare(build):
     work = build / 'tests' / 'bus' / 'run'
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
-    subprocess.run([build / 'tests' / 'bus' / 'write_sound_set', work / 'sounds'], check=True)
+    subprocess.run([build / 'tools' / 'packaging' / 'write_sound_set', work / 'sounds'], check=True)
     return work
 
 

@@ -82,18 +82,64 @@ class Decode(Case):
         self.assertEqual(result.returncode, 0, result.stderr)
         rows = list(csv.DictReader(io.StringIO(result.stdout)))
         self.assertEqual(list(rows[0]), ['time_s', 'signal', 'value'])
-        words = [(r['value'], round(float(r['time_s']))) for r in rows if r['signal'] == 'rattling']
-        self.assertEqual(words, [('none', 0), ('closed', 62), ('open', 68), ('none', 76)])
-        words = [(r['value'], round(float(r['time_s']))) for r in rows if r['signal'] == 'percussion']
-        self.assertEqual(words, [('off', 0), ('on', 14), ('off', 76)])
-        feed = [(float(r['time_s']), float(r['value'])) for r in rows if r['signal'] == 'feed_pressure_bar']
+        def told(signal):
+            return [(float(r['time_s']), r['value']) for r in rows if r['signal'] == signal]
+
+        def words(signal):
+            return [(value, round(time)) for time, value in told(signal)]
+
+        self.assertEqual(words('rattling'), [('none', 0), ('closed', 79), ('open', 86), ('none', 94)])
+        self.assertEqual(words('percussion'),
+                         [('off', 0), ('on', 11), ('off', 32), ('on', 36), ('off', 71), ('on', 79), ('off', 94)])
+        self.assertEqual(words('rod_count'), [('1', 0), ('2', 35), ('1', 79)])
+        self.assertEqual(words('rock'), [('1', 0), ('2', 44)])
+        self.assertEqual(words('rod_broken'), [('no', 0), ('yes', 68), ('no', 79)])
+        self.assertEqual(words('simulation'), [('run', 0), ('freeze', 73), ('run', 77)])
+        feed = [(time, float(value)) for time, value in told('feed_pressure_bar')]
         # The thresholds of demo.toml, half a hysteresis away: each phase is safely the named one.
-        for begin, end, low, high in ((17, 26, 15, 57), (28, 40, 63, 117), (42, 50, 123, 300), (53, 62, 63, 117)):
+        for begin, end, low, high in ((14, 19, 15, 57), (21, 32, 63, 117), (38, 52, 63, 117), (60, 68, 123, 300)):
             values = [v for t, v in feed if begin <= t < end]
             self.assertGreater(len(values), 50)
             self.assertTrue(low < min(values) and max(values) < high, (begin, min(values), max(values)))
+        # The feed creeps up by 5 bar a second.
+        second = [sum(v for t, v in feed if s <= t < s + 1) / sum(1 for t, v in feed if s <= t < s + 1) for s in range(54, 67)]
+        self.assertTrue(all(3 < b - a < 7 for a, b in zip(second, second[1:])), second)
+        depth = [(time, float(value)) for time, value in told('feed_position_m')]
+        self.assertEqual(max(v for t, v in depth if t < 35), 3.66)
+        self.assertLess(min(v for t, v in depth if 35 < t < 36), 0.1)
         times = [float(r['time_s']) for r in rows]
         self.assertEqual(times, sorted(times))
+
+    def test_situations_follow_from_the_feed_and_deviations_come_in_steps(self):
+        result = run('decode', ROOT / 'config/rigs/demo.toml', '--log', ROOT / 'config/logs/shift.log')
+        rows = list(csv.DictReader(io.StringIO(result.stdout)))
+        words = [(r['value'], round(float(r['time_s']))) for r in rows if r['signal'] == 'situation']
+        self.assertEqual([word for word, _ in words],
+                         ['underfeed', 'normal', 'underfeed', 'normal', 'overfeed', 'normal', 'underfeed',
+                          'closed_rattling', 'open_rattling', 'underfeed'])
+        self.assertEqual([time for _, time in words][7:], [79, 86, 94])  # with the rattling
+        self.assertTrue(58 <= words[4][1] <= 60)  # 123 bar, from 90 at 52 s on by 5 bar a second, a little late
+        feed, told, count = None, None, 0
+        for row in rows:
+            if row['signal'] == 'feed_pressure_bar':
+                feed = float(row['value'])
+            if row['signal'] == 'feed_deviation':
+                # demo.toml: underfeed stands at 37.5 bar, normal at 90, overfeed at 150.
+                expected = (feed - 90) / (52.5 if feed < 90 else 60)
+                self.assertAlmostEqual(float(row['value']), expected, delta=0.006)
+                self.assertTrue(told is None or abs(float(row['value']) - told) > 0.045)
+                told, count = float(row['value']), count + 1
+        self.assertGreater(count, 10)
+        self.assertLess(count, len([r for r in rows if r['signal'] == 'feed_pressure_bar']) / 4)
+
+    def test_what_was_refused_and_clamped_is_said_by_signal(self):
+        rig = self.write('rig.toml', MINIMAL.format(dbc=ROOT / 'config/dbc/rig.dbc', signal='EEC1.EngSpeed'))
+        log = self.write('a.log', '(1.000000) can0 0CF00400#000000409C000000\n(1.020000) can0 0CF00400#00000000FE000000\n'
+                                  '(1.040000) can0 0CF00400#00000000FA000000\n(1.060000) can0 0CF00400#00000008FA000000\n')
+        result = run('decode', rig, '--log', log)
+        self.assertEqual(result.returncode, 0)
+        self.assertIn('engine_rpm: 2 values refused, last 8001, expected 0...4000 r/min\n', result.stderr)
+        self.assertIn('engine_rpm: 2 values over the range taken as 4000 r/min\n', result.stderr)
 
     def test_real_log(self):
         if not DATA:
@@ -262,6 +308,74 @@ class Render(Case):
         self.assertTrue(digest.startswith('sha256 ') and factor.startswith('realtime_factor '), result.stdout)
         self.assertGreater(float(factor.split()[1]), 0)
         return digest.split()[1]
+
+    def test_states_by_hand_and_a_part_of_the_whole(self):
+        write_sound_set(self.folder / 'set')
+        rig = self.demo_rig()
+        states = self.write('s.csv', 'time_s,signal,value\n0,engine_rpm,1500\n0.1,feed_pressure_bar,90\n'
+                                     '1,rattling,closed\n2,rattling,none\n3,feed_pressure_bar,0\n')
+
+        def render(name, *more):
+            result = run('render', rig, '--states', states, '--out', self.folder / name, *more)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            return data_chunk(self.folder / name)[1], result.stdout
+        whole, said = render('whole.wav')
+        self.assertEqual(said.split()[1], hashlib.sha256(whole).hexdigest())
+        self.assertEqual(len(whole), 2251 * 64 * 2 * 4)  # the last row acts in block 2250, which begins at 3 s
+        block = 64 * 2 * 4
+        part, said = render('part.wav', '--from', 0.5, '--to', 1.5, '--no-hash')
+        self.assertEqual(part, whole[375 * block:1125 * block])
+        self.assertTrue(said.startswith('realtime_factor '))
+        for words, code in ((['--from', 4], 2), (['--from', 2, '--to', 1], 2)):
+            result = run('render', rig, '--states', states, '--out', self.folder / 'none.wav', *words)
+            self.assertEqual(result.returncode, code, result.stderr)
+            self.assertFalse((self.folder / 'none.wav').exists())
+
+    def test_nothing_that_is_read_is_written_over(self):
+        write_sound_set(self.folder / 'set')
+        rig = self.demo_rig()
+        log = self.short_log(1)
+        clicks = self.folder / 'set/banks/normal/clicks.wav'
+        (self.folder / 'link.wav').symlink_to(clicks)
+        for words in (['render', rig, '--log', log, '--out', log], ['render', rig, '--log', log, '--out', rig],
+                      ['render', rig, '--log', log, '--out', clicks],
+                      ['render', rig, '--log', log, '--out', self.folder / 'link.wav'],
+                      ['resynth', clicks.parent, clicks, '--seconds', 1],
+                      ['resynth', clicks.parent, self.folder / 'new.wav', '--seconds', 1, '--impacts', clicks]):
+            before = {path: path.read_bytes() for path in self.folder.rglob('*') if path.is_file()}
+            self.refused(words, 'expected another name for the output')
+            self.assertEqual({path: path.read_bytes() for path in self.folder.rglob('*') if path.is_file()}, before)
+
+    def test_a_packed_set_sounds_the_same_and_unpacks(self):
+        write_sound_set(self.folder / 'set')
+        rig = self.demo_rig()
+        log = self.short_log(3)
+        first = self.render(rig, log, 'folder.wav')
+        result = run('pack', self.folder / 'set', self.folder / 'one.rigset', '--rig', rig)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        text = rig.read_text()
+        def with_set(name, file):
+            return self.write(file, text.replace(f"\"{self.folder / 'set'}\"", f'"{name}"'))
+        packed_rig = with_set('one.rigset', 'packed.toml')
+        self.assertIn('"one.rigset"', packed_rig.read_text())
+        self.assertEqual(self.render(packed_rig, log, 'packed.wav'), first)
+        result = run('unpack', self.folder / 'one.rigset', self.folder / 'again')
+        self.assertEqual(result.returncode, 0, result.stderr)
+        again = with_set('again', 'again.toml')
+        self.assertEqual(self.render(again, log, 'again.wav'), first)
+        self.refused(['unpack', self.folder / 'one.rigset', self.folder / 'again'], 'is there already')
+        damaged = bytearray((self.folder / 'one.rigset').read_bytes())
+        damaged[-1] ^= 1
+        (self.folder / 'one.rigset').write_bytes(damaged)
+        self.refused(['check', packed_rig], 'one.rigset', 'SHA-256')
+
+    def test_states_that_are_none(self):
+        write_sound_set(self.folder / 'set')
+        rig = self.demo_rig()
+        for text, parts in (('time_s,signal,value\n0,engine_rpn,1500\n', (':2', 'engine_rpn')),
+                            ('time_s,signal,value\n0,left.rock,1\n', ("no boom 'left'", 'boom'))):
+            states = self.write('s.csv', text)
+            self.refused(['render', rig, '--states', states, '--out', self.folder / 'no.wav'], *parts)
 
     def test_same_input_same_bits(self):
         write_sound_set(self.folder / 'set')

@@ -6,6 +6,7 @@
 #include <limits>
 #include <sstream>
 
+#include "cli/manual.hpp"
 #include "cli/number_text.hpp"
 #include "rigsound/config/nearest_word.hpp"
 
@@ -13,6 +14,7 @@ namespace rigsound::cli {
 namespace {
 
 constexpr std::size_t kColumns = 100;
+constexpr const char* kExample = "Example: ";
 
 /// One paragraph a line of `text`, broken at spaces.
 std::string wrapped(const std::string& text) {
@@ -30,6 +32,18 @@ std::string wrapped(const std::string& text) {
   if (!out.empty()) out.pop_back();
   return out;
 }
+
+/// Prints details wrapped, and examples as they stand.
+struct HelpFormatter : CLI::Formatter {
+  std::string make_footer(const CLI::App* app) const override {
+    const std::string footer = app->get_footer();
+    const std::size_t examples = std::min(footer.find(kExample), footer.size());
+    const std::string text = wrapped(footer.substr(0, examples));
+    return footer.empty() ? ""
+                          : text + (text.empty() || examples == footer.size() ? "" : "\n") +
+                                footer.substr(examples) + "\n";
+  }
+};
 
 std::string text_fault(const std::string&) { return {}; }
 
@@ -60,6 +74,49 @@ std::string unknown_verb(const CLI::App& program) {
     known.push_back(verb->get_name());
   const std::string near(config::nearest_word(rest.front(), known));
   return "unknown " + kind + " " + rest.front() + (near.empty() ? "" : ", did you mean " + near + "?");
+}
+
+OptionText described(const CLI::Option& option, const std::string& group) {
+  OptionText text;
+  if (option.get_positional()) text.names.push_back(option.get_name());
+  for (const std::string& name : option.get_snames()) text.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) text.names.push_back("--" + name);
+  if (option.get_expected_max() > 0) text.type = option.get_type_name();
+  text.initial = option.get_default_str();
+  text.help = option.get_description();
+  text.required = option.get_required();
+  text.group = group;
+  return text;
+}
+
+/// Details, then examples, as details() and example() laid them out.
+void describe_footer(const std::string& footer, VerbText& text) {
+  std::istringstream lines(footer);
+  bool examples = false;
+  for (std::string line; std::getline(lines, line);) {
+    examples = examples || line.rfind(kExample, 0) == 0;
+    if (examples)
+      text.examples.push_back(line.substr(std::string(kExample).size()));
+    else if (!line.empty())
+      text.details += line + '\n';
+  }
+}
+
+VerbText described(const CLI::App& app) {
+  VerbText text;
+  text.name = app.get_name(), text.summary = app.get_description(), text.heading = app.get_group();
+  const auto add_options = [&](const CLI::App& from, const std::string& group) {
+    for (const CLI::Option* option : from.get_options())
+      (option->get_positional() ? text.positionals : text.options).push_back(described(*option, group));
+  };
+  add_options(app, "");
+  for (const CLI::App* part : app.get_subcommands([](const CLI::App*) { return true; }))
+    if (part->get_name().empty())
+      add_options(*part, part->get_group());
+    else
+      text.verbs.push_back(described(*part));
+  describe_footer(app.get_footer(), text);
+  return text;
 }
 
 int usage(const std::string& text) {
@@ -213,26 +270,29 @@ Verb Verb::exactly_one(const std::string& heading) {
 
 Verb Verb::details(const std::string& text) {
   const std::string before = app_->get_footer();
-  app_->footer(before + (before.empty() ? "" : "\n") + wrapped(text));
+  app_->footer(before + (before.empty() ? "" : "\n") + text);
   return *this;
 }
 
 Verb Verb::example(const std::string& command_line) {
   const std::string before = app_->get_footer();
-  const bool first = before.find("Example: ") == std::string::npos;
+  const bool first = before.find(kExample) == std::string::npos;
   app_->footer(before +
                (before.empty() ? ""
                 : first        ? "\n\n"
                                : "\n") +
-               (first ? "Example: " : "         ") + command_line);
+               (first ? kExample : "         ") + command_line);
   return *this;
 }
+
+VerbText Verb::description() const { return described(*app_); }
 
 void Verb::callback(std::function<void()> run) { app_->callback(std::move(run)); }
 
 Program::Program(const std::string& name, const std::string& summary, const std::string& version)
-    : app_(std::make_unique<CLI::App>(summary, name)) {
+    : app_(std::make_unique<CLI::App>(summary, name)), version_(version) {
   app_->set_version_flag("--version", version);
+  app_->formatter(std::make_shared<HelpFormatter>());
 }
 Program::~Program() = default;
 
@@ -240,6 +300,7 @@ Verb Program::verb() { return Verb(app_.get()); }
 
 int Program::run(int argc, char** argv) {
   try {
+    if (argc == 3 && write_manual(verb().description(), version_, argv[1], argv[2])) return 0;
     app_->parse(argc, argv);
     return 0;
   } catch (const UsageError& error) {

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/description.hpp"
+
 namespace CLI {
 class App;
 class Option;
@@ -93,6 +95,8 @@ class Verb {
   Verb example(const std::string& command_line);
   void callback(std::function<void()> run);
 
+  VerbText description() const;
+
  private:
   CLI::App* app_;
 };
@@ -105,11 +109,13 @@ class Program {
   Verb verb();
 
   /// Reads the command line and runs the callback of what it names, whose exceptions pass through.
-  /// 0 done, also for --help and --version; 2 wrong usage, told on stderr.
+  /// 0 done, also for --help and --version; 2 wrong usage, told on stderr. The build calls it with the two
+  /// words of manual.hpp.
   int run(int argc, char** argv);
 
  private:
   std::unique_ptr<CLI::App> app_;
+  std::string version_;
 };
 
 }  // namespace rigsound::cli

@@ -4,13 +4,17 @@
 #include <optional>
 
 #include "log_notes.hpp"
+#include "refused_values.hpp"
+#include "rigsound/audio/excerpt.hpp"
 #include "rigsound/audio/wav_sink.hpp"
 #include "rigsound/config/fingerprint.hpp"
 #include "rigsound/config/rig.hpp"
 #include "rigsound/default_diesel.hpp"
+#include "rigsound/file/read_files.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "rigsound/session/log_states.hpp"
 #include "rigsound/session/session_states.hpp"
+#include "rigsound/session/table_states.hpp"
 #include "sha256.hpp"
 #include "verbs.hpp"
 
@@ -18,44 +22,68 @@ namespace rigsound::tools {
 namespace {
 
 struct Options {
-  std::string rig, log, session, out;
+  std::string rig, log, session, states, out;
   std::optional<std::uint64_t> seed;
+  double from_s = 0, to_s = HUGE_VAL;
+  bool no_hash = false;
 };
 
-/// Renders the whole source into OUT and prints the figures.
+/// Renders the source, from its beginning on, and prints the figures; --from and --to choose what OUT holds.
 void render(config::Rig& rig, audio::StateSource& states, audio::SampleFormat samples,
-            const std::string& out) {
+            const Options& options) {
   SoundSet sounds = config::load_sounds(rig);
   const bool built_in_diesel = sounds.diesels.front().name == kDefaultDiesel;
   Engine engine = config::build_engine(rig, std::move(sounds));
+  require_not_read(options.out, {rig.file, rig.sound_set, options.log, options.session, options.states});
+  const audio::BlockRange part = audio::blocks_of(options.from_s, options.to_s, rig.engine);
   Sha256 digest;
+  audio::WavSink::Tap hash;
+  if (!options.no_hash) hash = [&](const void* bytes, std::size_t size) { digest.update(bytes, size); };
   const audio::WavSink::Format format{static_cast<int>(rig.engine.sample_rate), rig.engine.channels,
                                       rig.engine.block, samples};
-  audio::WavSink sink(out, format, [&](const void* bytes, std::size_t size) { digest.update(bytes, size); });
+  audio::WavSink file(options.out, format, hash);
+  audio::LateSink sink(file, part.first);
+  audio::EndingStates source(states, part.last);
   const auto start = std::chrono::steady_clock::now();
   std::vector<float> block = audio::make_block(engine.options());
-  const std::uint64_t blocks = audio::run_blocks(engine, states, sink, block);
+  const std::uint64_t blocks = audio::run_blocks(engine, source, sink, block);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-  sink.commit();
   const double length_s = static_cast<double>(blocks) * rig.engine.block / rig.engine.sample_rate;
-  fmt::print("sha256 {}\nrealtime_factor {:.2f}\n", digest.hex(), length_s / spent.count());
+  if (blocks <= part.first)
+    throw cli::UsageError("--from",
+                          fmt::format("{:g} s is after the end at {:.3f} s", options.from_s, length_s));
+  file.commit();
+  if (!options.no_hash) fmt::print("sha256 {}\n", digest.hex());
+  fmt::print("realtime_factor {:.2f}\n", length_s / spent.count());
   if (built_in_diesel)
     fmt::print(stderr, "{}: no background model in the sound set; using the built-in diesel\n",
                rig.sound_set.string());
 }
 
-void render_log(const Options& options) {
-  config::Rig rig = config::load_rig(options.rig);
+config::Rig rig_of(const Options& options, config::Buses buses) {
+  config::Rig rig = config::load_rig(options.rig, buses);
   if (options.seed) rig.engine.seed = *options.seed;
-  const std::unique_ptr<log::BusLog> log = log::open_log(options.log, rig.can, rig.modbus);
-  session::LogStates states(*log, rig.safety, rig.engine);
-  render(rig, states, audio::SampleFormat::kFloat, options.out);
-  print_log_notes(options.log, *log);
+  return rig;
 }
 
-/// What the session was rendered with counts; the rest must be what it was.
+void render_states(const Options& options) {
+  config::Rig rig = rig_of(options, config::Buses::kLeftOut);
+  session::TableStates states(options.states, rig.engine);
+  render(rig, states, audio::SampleFormat::kFloat, options);
+}
+
+void render_log(const Options& options) {
+  config::Rig rig = rig_of(options, config::Buses::kRead);
+  const std::unique_ptr<log::BusLog> log = log::open_log(options.log, rig.can, rig.modbus);
+  session::LogStates states(*log, rig.safety, rig.engine);
+  render(rig, states, audio::SampleFormat::kFloat, options);
+  print_log_notes(options.log, *log);
+  print_refused_values(rig, states.board());
+}
+
+/// What the session was rendered with counts; the rest must be what it was. Buses are not asked any more.
 void render_session(const Options& options) {
-  config::Rig rig = config::load_rig(options.rig);
+  config::Rig rig = config::load_rig(options.rig, config::Buses::kLeftOut);
   session::SessionStates states(options.session);
   const session::SessionHeader& header = states.header();
   rig.engine.seed = header.seed;
@@ -66,7 +94,7 @@ void render_session(const Options& options) {
   if (fingerprint != header.fingerprint)
     throw InputError(options.session, "was played with another rig or sound set (" + header.fingerprint +
                                           "), expected that of " + options.rig + " (" + fingerprint + ")");
-  render(rig, states, header.format, options.out);
+  render(rig, states, header.format, options);
   if (states.bytes_ignored() > 0)
     fmt::print(stderr, "{}: the last {} bytes are not whole and were left out\n", options.session,
                states.bytes_ignored());
@@ -82,15 +110,26 @@ void add_render(cli::Verb& program) {
   cli::Verb source = verb.exactly_one("Source");
   source.option("--log", options->log, "candump -l log, or Modbus/TCP as pcap or pcapng");
   source.option("--session", options->session, "what rigsoundd --session wrote: the very samples it played");
+  source.option("--states", options->states, "CSV as decode prints it: the state itself, no safety rule");
   verb.option("--out", options->out, "WAV file to write: 32 bit float, or the format of the session's card")
       .required();
   verb.option("--seed", options->seed, "instead of the rig's seed; a session has its own");
-  verb.callback([options] { options->session.empty() ? render_log(*options) : render_session(*options); });
+  verb.option("--from", options->from_s, "s; OUT begins with the block that holds it").at_least(0);
+  verb.option("--to", options->to_s, "s; OUT ends with the block before it; left out: the end").at_least(0);
+  verb.flag("--no-hash", options->no_hash, "print no sha256");
+  verb.callback([options] {
+    if (options->to_s <= options->from_s) throw cli::UsageError("--to", "expected more than --from");
+    if (!options->log.empty())
+      render_log(*options);
+    else
+      options->session.empty() ? render_states(*options) : render_session(*options);
+  });
   verb.details(
       "Prints `sha256 HEX` of the PCM bytes in the WAV's data chunk, then `realtime_factor X`: seconds of "
-      "sound "
-      "per second of rendering. Everything a frame says acts from the next block on; the sound ends with the "
-      "log.");
+      "sound per "
+      "second of rendering. Everything a frame or a row says acts from the next block on; the sound ends "
+      "with the last "
+      "one. With --from and --to OUT holds the very samples of that part of the whole.");
   verb.example("rigsound render config/rigs/demo.toml --log config/logs/shift.log --out out/demo.wav");
 }
 

@@ -1,4 +1,4 @@
-// rigsound tool: the bar waveguide tuned to a steel, and fitted to its recorded sound.
+// rigsound tool: the bar waveguide tuned to a steel, and fitted to its recorded sound; or a drill string.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,17 +11,19 @@
 #include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/config/tool_files.hpp"
 #include "rigsound/file/atomic_file.hpp"
+#include "tool/drill_string.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
 namespace {
 
-struct ToolOptions {
-  double length_m = 0, diameter_m = 0, rate = 48000;
-  std::string model = "designed", name, sound_set, recording, plot;
+struct ToolOptions : ToolOutput {
+  double length_m = 0, diameter_m = 0;
+  std::string model = "designed", recording;
   std::vector<double> t60_T, t60_L;
   ToolModel tool;  ///< k_Tmin, k_Tmax, k_L, and the paper's M, lambda, N_T, N_L
-  bool json = false;
+  bool is_string = false;
+  DrillStringOptions drill_string;
 };
 
 DecayWish wish_of(const std::vector<double>& t60) {
@@ -95,7 +97,7 @@ ToolModel model_of(const ToolOptions& o, nlohmann::ordered_json& json) {
   return model;
 }
 
-void run(const ToolOptions& o) {
+void design_bar(const ToolOptions& o) {
   nlohmann::ordered_json json;
   ToolModel model = model_of(o, json);
   model.name = name_of(o, model.bar);
@@ -122,10 +124,22 @@ void run(const ToolOptions& o) {
   }
 }
 
+void run(const ToolOptions& o) {
+  if (!o.is_string) return design_bar(o);
+  DrillStringOptions drill_string = o.drill_string;
+  drill_string.model.rod_length_m = o.length_m;
+  drill_string.model.rod_diameter_m = o.diameter_m;
+  design_drill_string(drill_string, o);
+}
+
 /// The jackhammer paper's symbols, by its own names.
-void add_paper_symbols(cli::Verb& verb, ToolModel& tool, const cli::Option& from) {
+void add_paper_symbols(cli::Verb& verb, ToolModel& tool, const cli::Option& from, const cli::Option& string) {
   const auto add = [&](const char* name, auto& value, const char* text) {
-    verb.option(name, value, text).shows_default().excludes(from).group("Symbols of the paper");
+    verb.option(name, value, text)
+        .shows_default()
+        .excludes(from)
+        .excludes(string)
+        .group("Symbols of the paper");
   };
   add("--k-Tmin", tool.transversal.reflection_min, "transversal reflection while the hammer touches");
   add("--k-Tmax", tool.transversal.reflection_max, "transversal reflection of the free tool");
@@ -139,30 +153,54 @@ void add_paper_symbols(cli::Verb& verb, ToolModel& tool, const cli::Option& from
 }  // namespace
 
 void add_tool(cli::Verb& program) {
-  cli::Verb verb = program.verb("tool", "Tune the ringing bar to a steel").group(kPrepare);
+  cli::Verb verb =
+      program.verb("tool", "Tune the ringing bar to a steel, or lay out a drill string").group(kPrepare);
   const auto o = std::make_shared<ToolOptions>();
-  const cli::Option length = verb.option("--length", o->length_m, "of the steel, m (0.2...1.2)");
-  const cli::Option diameter = verb.option("--diameter", o->diameter_m, "of the steel, m (0.010...0.080)");
+  const cli::Option length =
+      verb.option("--length", o->length_m, "of the steel, m (0.2...1.2), or of a rod (0.6...6.4)");
+  const cli::Option diameter = verb.option("--diameter", o->diameter_m,
+                                           "of the steel, m (0.010...0.080), or of a rod (0.025...0.076)");
   const cli::Option from =
       verb.option("--from", o->recording,
                   "recorded impact to fit decays, shelf, high-pass, equaliser, mix and pulse "
                   "width to; the steel is estimated from its modes where it is not given");
+  const cli::Option string =
+      verb.flag("--string", o->is_string, "a drill string of rods instead of a jackhammer's bar")
+          .excludes(from);
+  add_drill_string_options(verb, o->drill_string, string);
   verb.option("--rate", o->rate, "sample rate to design for, Hz").shows_default();
   verb.option("--model", o->model, "designed, or the jackhammer paper's own loops")
       .one_of({"designed", "paper"})
       .shows_default()
-      .excludes(from);
+      .excludes(from)
+      .excludes(string);
   for (const auto& [name, t60] :
        {std::pair{"--t60-transversal", &o->t60_T}, std::pair{"--t60-longitudinal", &o->t60_L}})
-    verb.option(name, *t60, "wanted decay: LOW_HZ LOW_S HIGH_HZ HIGH_S").count(4).excludes(from);
-  add_paper_symbols(verb, o->tool, from);
-  verb.option("--name", o->name, "of the tool in the sound set [steel_LENGTHxDIAMETER, mm]");
+    verb.option(name, *t60, "wanted decay: LOW_HZ LOW_S HIGH_HZ HIGH_S")
+        .count(4)
+        .excludes(from)
+        .excludes(string);
+  add_paper_symbols(verb, o->tool, from, string);
+  verb.option("--name", o->name,
+              "of the tool in the sound set [steel_LENGTHxDIAMETER or string_RODSxLENGTHxDIAMETER, mm]");
   verb.option("--out", o->sound_set,
               "sound set to add the tool to; a tool of that name that differs is kept as NAME.json.old");
   verb.option("--plot", o->plot, "SVG to draw: wanted and reached modes, decays");
   verb.flag("--json", o->json, "figures as JSON instead of CSV");
-  verb.details("Writes CSV to stdout: family,mode,target_hz,model_hz,error_cents,t60_s.");
+  verb.details(
+      "Writes CSV to stdout: family,mode,target_hz,model_hz,error_cents,t60_s. --string has more columns and "
+      "four "
+      "families: `bending` of the rod outside the hole; `longitudinal` of the rods end to end, a comb; "
+      "`longitudinal_jointed` with shank and sleeves, as the string plays; t60_pressed_s is T60 while full "
+      "feed "
+      "presses the bit on. `reflection` is what the bit sends back of a rectangular pulse of pulse_s, x "
+      "loading "
+      "times of the rock: share of the energy as the closed form has it and as the string plays it, largest "
+      "force "
+      "over the pulse's.");
   verb.example("rigsound tool --length 0.5 --diameter 0.025 --out soundset --plot modes.svg");
+  verb.example(
+      "rigsound tool --string --rods 6 --length 3.66 --diameter 0.038 --rock hard --plot string.svg");
   verb.callback([o, length, diameter] {
     if (o->recording.empty() && !(length.given() && diameter.given()))
       throw cli::UsageError("--length", "is needed with --diameter, or --from");

@@ -15,6 +15,7 @@ void add_background(cli::Verb& program);
 void add_bench(cli::Verb& program);
 void add_check(cli::Verb& program);
 void add_clicks(cli::Verb& program);
+void add_contrast(cli::Verb& program);
 void add_ctl(cli::Verb& program);
 void add_decode(cli::Verb& program);
 void add_denoise(cli::Verb& program);
@@ -22,8 +23,10 @@ void add_record(cli::Verb& program);
 void add_render(cli::Verb& program);
 void add_replay(cli::Verb& program);
 void add_resynth(cli::Verb& program);
+void add_pack(cli::Verb& program);
 void add_simulate(cli::Verb& program);
 void add_timeline(cli::Verb& program);
 void add_tool(cli::Verb& program);
+void add_unpack(cli::Verb& program);
 
 }  // namespace rigsound::tools

@@ -1,4 +1,4 @@
-// From feed pressure and rattling mode to the drilling situation, with hysteresis.
+// From feed pressure and rattling mode to the drilling situation, with hysteresis; where situations stand.
 #pragma once
 
 #include "rigsound/machine/machine_state.hpp"
@@ -6,6 +6,15 @@
 #include "rigsound/options.hpp"
 
 namespace rigsound::scene {
+
+/// Feed pressures at which the three drilling situations stand, bar.
+struct FeedPoints {
+  double underfeed, normal, overfeed;
+
+  /// -1 at underfeed, 0 at normal, +1 at overfeed, and on beyond.
+  double deviation(double feed_bar) const noexcept;
+};
+FeedPoints feed_points(const SceneOptions& options) noexcept;
 
 /// Remembers on which side of each threshold the pressure last was. Thread: RT.
 class FeedRule {

@@ -83,7 +83,8 @@ struct StringMode {
   std::string_view family;  ///< "longitudinal" or "bending"
   int mode = 1;
   double target_hz = 0, model_hz = 0, error_cents = 0;
-  double t60_s = 0;  ///< as the layer plays it, free
+  double t60_s = 0;          ///< as the layer plays it, free
+  double t60_pressed_s = 0;  ///< and with the bit pressed onto the rock by full feed
 };
 
 /// The modes of model.rods rods at `sample_rate` (Hz), family by family, rising: of the free string up to
@@ -100,5 +101,15 @@ double loading_time_s(const StringModel& model, double stiffness_n_per_m);
 /// that loads like a spring and unloads stiffly. 1 without contact, least (0.1855) at x = 1.256, 1 on a rigid
 /// wall. Thread: OFF, CT.
 double reflected_energy(double x);
+
+/// What became of a pulse at the bit.
+struct BitReflection {
+  double energy = 1;  ///< share sent back
+  double force = 0;   ///< largest on the rock, as a multiple of the pulse's largest sample
+};
+
+/// As the layer plays it: force waves `pulse`, one a sample, not all zero, meet a bit that stands on rock
+/// which takes `loading_samples` (> 0) to load. Thread: OFF, CT.
+BitReflection played_reflection(const std::vector<double>& pulse, double loading_samples);
 
 }  // namespace rigsound

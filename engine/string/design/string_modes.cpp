@@ -116,20 +116,26 @@ void add_longitudinal(const StringModel& model, double sample_rate, std::vector<
   const auto played =
       roots([&](double w) { return force_at_bit(played_sections(tuning, w), w); }, step, 1.05 * highest);
   const std::size_t count = std::min(wanted.size(), played.size());
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i) {
+    const double free_s = string_t60_s(tuning, played[i], sample_rate);
+    const double pressed_s = 1 / (1 / free_s + 1 / model.guided_s);
     modes.push_back({"longitudinal", static_cast<int>(i) + 1, wanted[i] / to_omega, played[i] / to_omega,
-                     cents(played[i], wanted[i]), string_t60_s(tuning, played[i], sample_rate)});
+                     cents(played[i], wanted[i]), free_s, pressed_s});
+  }
 }
 
 void add_bending(const StringModel& model, double exposed_m, double sample_rate,
                  std::vector<StringMode>& modes) {
   const tool::TransversalLaw law(Bar{exposed_m, model.rod_diameter_m});
-  BendingModes bank(model, sample_rate, tool::widest_lanes());
+  BendingModes bank(model, sample_rate, tool::widest_lanes()), pressed = bank;
   bank.set(exposed_m, 0);
   bank.retune();
+  pressed.set(exposed_m, 1);
+  pressed.retune();
   for (int k = 1; k <= kMaxModes && law.at(k) < kFadeTo_hz; ++k) {
     const double model_hz = bank.frequency_hz(k);
-    modes.push_back({"bending", k, law.at(k), model_hz, cents(model_hz, law.at(k)), bank.t60_s(k)});
+    modes.push_back(
+        {"bending", k, law.at(k), model_hz, cents(model_hz, law.at(k)), bank.t60_s(k), pressed.t60_s(k)});
   }
 }
 
@@ -142,11 +148,5 @@ std::vector<StringMode> string_modes(const StringModel& model, double exposed_m,
   add_bending(model, exposed_m, sample_rate, modes);
   return modes;
 }
-
-double loading_time_s(const StringModel& model, double stiffness_n_per_m) {
-  return string::rod_impedance(model) / stiffness_n_per_m;
-}
-
-double reflected_energy(double x) { return 1 - 4 * (1 - dsp::exp(-x)) / x + 2 * (1 - dsp::exp(-2 * x)) / x; }
 
 }  // namespace rigsound

@@ -49,6 +49,16 @@ void fields(Archive& a, RockEntry& o) {
   a("stiffness", o.stiffness, kRockStiffnesses);
 }
 
+/// Steps of a stiffness for those who have not measured theirs: force over penetration of a button bit of
+/// about 50 mm, as orders of magnitude and not of any one rock. "medium" is what a [[rock]] without stiffness
+/// has.
+inline const std::vector<RockEntry> kUsualRocks = {
+    {"soft", 5e7},     ///< marl, weak limestone, weathered schist
+    {"medium"},        ///< limestone, sandstone, gneiss
+    {"hard", 5e8},     ///< granite, diabase
+    {"hardest", 1e9},  ///< quartzite, taconite
+};
+
 enum class SteelKind : std::uint8_t { kBar, kString };
 constexpr Word<SteelKind> kSteelKinds[] = {{"bar", SteelKind::kBar}, {"string", SteelKind::kString}};
 
@@ -91,6 +101,10 @@ struct SoundSetIndex {
 
 /// Reads SET/soundset.toml. Errors: InputError. Thread: OFF.
 SoundSetIndex load_index(const std::filesystem::path& sound_set);
+
+/// The rock of that name in SET/soundset.toml, or else of kUsualRocks; an empty `sound_set` names none.
+/// Errors: InputError, with the names there are. Thread: OFF.
+RockEntry find_rock(const std::filesystem::path& sound_set, const std::string& name);
 
 /// Adds to SET/soundset.toml what it does not name yet (a bank already listed under the same name and
 /// situation counts as named); makes the file, with comments that explain it, when there is none.

@@ -10,7 +10,7 @@
 #include "temporary_folder.hpp"
 #include "timeline/activity.hpp"
 #include "timeline/level_picture.hpp"
-#include "timeline/state_table.hpp"
+#include "rigsound/session/state_table.hpp"
 
 using namespace rigsound;
 using namespace rigsound::analysis;
@@ -96,7 +96,7 @@ TEST_CASE("the spans of the picture lie where the states change") {
 
 TEST_CASE("the thresholds decide, and have the engine's hysteresis") {
   const Render render(kStates);
-  const StateTable states = read_states(render.states);
+  const session::StateTable states = session::read_states(render.states);
   SceneOptions scene;
   const auto names = [&] {
     std::vector<Activity> found;
@@ -118,7 +118,7 @@ TEST_CASE("rattling, a standing diesel and a second boom") {
   const Render render(
       "time_s,signal,value\n1,engine_rpm,800\n2,rattling,closed\n3,rattling,open\n4,rattling,none\n"
       "5,right.rattling,open\n9,engine_rpm,0\n");
-  const StateTable states = read_states(render.states);
+  const session::StateTable states = session::read_states(render.states);
   REQUIRE(states.booms == std::vector<std::string>{"", "right"});
   const auto first = activity_spans(states, 0, {}, 10), second = activity_spans(states, 1, {}, 10);
   REQUIRE(first.size() == 6);
@@ -131,6 +131,18 @@ TEST_CASE("rattling, a standing diesel and a second boom") {
   REQUIRE(second.size() == 3);
   CHECK(second[2].activity == Activity::kOpenRattling);
   CHECK(render.complaint_of() == "");
+}
+
+TEST_CASE("rows of what follows from the signals, of controls and of manual marks are passed over") {
+  const Render plain(kStates);
+  const Render with(
+      std::string(kStates) +
+      "99,situation,overfeed\n99,left.feed_deviation,1.05\n99,decay_factor,2\n99,output_gain,0.5\n"
+      "99,manual,engine_rpm left.rattling\n99,percussion,absent\n");
+  const StateTable states = read_states(with.states);
+  CHECK(states.booms == read_states(plain.states).booms);
+  CHECK(states.changes.size() == read_states(plain.states).changes.size() + 1);
+  CHECK(states.changes.back().value == info(Signal::kPercussion).absent);
 }
 
 TEST_CASE("a sine lies in the row of its frequency, with its level") {
@@ -182,10 +194,10 @@ TEST_CASE("an input is never written over, and what is no sound is refused") {
   const std::string before = test::content(render.sound);
   CHECK(complaint([&] {
           write_timeline(render.sound, render.sound, render.states, {});
-        }).find("is an input") != std::string::npos);
+        }).find("is read as well as written") != std::string::npos);
   CHECK(complaint([&] {
           write_timeline(render.states, render.sound, render.states, {});
-        }).find("is an input") != std::string::npos);
+        }).find("is read as well as written") != std::string::npos);
   CHECK(test::content(render.sound) == before);
   CHECK(test::content(render.states) == kStates);
   CHECK(complaint([&] {

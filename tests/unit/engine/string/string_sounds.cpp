@@ -237,18 +237,11 @@ double largest_bending_growth(const StringModel& model, int chunks, tool::LaneWi
 }
 
 double largest_reflection_error(int samples) {
+  const std::vector<double> pulse(static_cast<std::size_t>(samples), 1.0);
   double worst = 0;
   for (double x = 0.25; x <= 3.0001; x += 0.01) {
-    BitContact bit;
-    bit.set_loading(samples / x);
-    double sent = 0, back = 0, F_i[kChunk], F_r[kChunk];
-    for (int chunk = 0; chunk < 4; ++chunk) {
-      for (int n = 0; n < kChunk; ++n) F_i[n] = chunk * kChunk + n < samples;
-      bit.process(F_i, F_r, kChunk);
-      for (int n = 0; n < kChunk; ++n) sent += F_i[n] * F_i[n], back += F_r[n] * F_r[n];
-    }
     const double r = 1 - 4 * (1 - std::exp(-x)) / x + 2 * (1 - std::exp(-2 * x)) / x;
-    worst = std::max(worst, std::fabs(back / sent / r - 1));
+    worst = std::max(worst, std::fabs(played_reflection(pulse, samples / x).energy / r - 1));
   }
   return worst;
 }

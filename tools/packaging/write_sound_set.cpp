@@ -1,4 +1,4 @@
-// write_sound_set FOLDER: a small sound set from formulas, so that the bus tests need no analysis.
+// write_sound_set FOLDER: a small sound set from formulas, for the packages and for tests: it needs no analysis.
 #include <cstdio>
 #include <exception>
 

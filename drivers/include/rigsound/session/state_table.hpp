@@ -7,7 +7,7 @@
 
 #include "rigsound/machine/signal.hpp"
 
-namespace rigsound::analysis {
+namespace rigsound::session {
 
 struct StateChange {
   double time_s;
@@ -27,4 +27,4 @@ struct StateTable {
 /// kMaxBooms; InputError when there is no row. Thread: OFF.
 StateTable read_states(const std::filesystem::path& file);
 
-}  // namespace rigsound::analysis
+}  // namespace rigsound::session
