@@ -10,12 +10,14 @@
 #include <set>
 #include <sstream>
 
+#include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
 namespace {
 
-constexpr std::string_view kGrammar = "expected start<TAB>end<TAB>situation [rods=N] [rock=NAME] [rpm=R]";
+constexpr std::string_view kGrammar =
+    "expected start<TAB>end<TAB>situation [rods=N] [rock=NAME] [rpm=R] [feed=BAR] [percussion=BAR]";
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // some editors write it
 constexpr std::string_view kSituations =
     "expected normal, underfeed, overfeed, closed_rattling or open_rattling";
@@ -48,13 +50,16 @@ void set_key(const Place& place, const std::string& word, Label& label) {
     label.rods = static_cast<int>(rods);
   } else if (key == "rpm") {
     label.rpm = number(place, key, value, 1, 4000);
+  } else if (key == "feed" || key == "percussion") {
+    const Range& bar = config::kRecordedPressures;
+    (key == "feed" ? label.feed_bar : label.percussion_bar) = number(place, key, value, bar.min, bar.max);
   } else if (key == "rock") {
     const auto odd = [](unsigned char c) { return !std::isalnum(c) && c != '_' && c != '-' && c != '.'; };
     if (value.empty() || value[0] == '.' || std::any_of(value.begin(), value.end(), odd))
       place.complain(key, fmt::format("'{}' is no name, expected letters, digits, '_', '-' or '.'", value));
     label.rock = value;
   } else {
-    place.complain(key, "unknown key, expected rods, rock or rpm");
+    place.complain(key, "unknown key, expected rods, rock, rpm, feed or percussion");
   }
 }
 

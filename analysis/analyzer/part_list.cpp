@@ -6,8 +6,13 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
+#include "analyzer/bus_parts.hpp"
+#include "rigsound/analysis/recording.hpp"
+#include "rigsound/config/rig.hpp"
+#include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
@@ -86,32 +91,91 @@ void note_overlaps(const std::vector<Part>& parts, std::vector<std::string>& not
     }
 }
 
-void add_labelled(const fs::path& recording, const std::string& stem, const fs::path& labels,
+/// What says which stretch of a recording is what.
+struct Labelling {
+  fs::path file;  ///< labels or bus log; empty: neither, the recording is taken whole
+  std::vector<Label> labels;
+};
+
+/// What bus logs are read with.
+struct BusReading {
+  config::Rig rig;
+  std::vector<std::string> rocks;  ///< names of the bus's rock numbers
+};
+
+/// The rocks are those of the sound set that is filled, else of the one the rig plays.
+std::optional<BusReading> bus_reading(const AnalyzerOptions& options) {
+  if (options.rig.empty()) return std::nullopt;
+  BusReading reading{config::load_rig(options.rig), {}};
+  std::error_code none;
+  for (const fs::path& set : {options.sound_set, reading.rig.sound_set}) {
+    if (!reading.rocks.empty() || !fs::exists(set / "soundset.toml", none)) continue;
+    for (const config::RockEntry& rock : config::load_index(set).rocks) reading.rocks.push_back(rock.name);
+  }
+  return reading;
+}
+
+Labelling by_bus(const fs::path& recording, const fs::path& log, const BusReading& bus, double offset_s,
+                 std::vector<std::string>& notes) {
+  const BusParts parts =
+      bus_parts(read_bus_course(bus.rig, log), offset_s, recording_seconds(recording), bus.rocks);
+  for (const std::string& note : parts.notes) notes.push_back(log.string() + ": " + note);
+  if (parts.labels.empty())
+    throw InputError(log.string(),
+                     "has no drilling within the recording, expected feed and hammer on while " +
+                         recording.string() + " was recorded");
+  return {log, parts.labels};
+}
+
+/// A file given for the one recording, else the one beside it; a bus log before labels.
+Labelling labelling_of(const fs::path& recording, const AnalyzerOptions& options,
+                       const std::optional<BusReading>& bus, std::vector<std::string>& notes) {
+  const auto beside = [&recording](const char* extension) {
+    const fs::path file = fs::path(recording).replace_extension(extension);
+    std::error_code none;
+    return fs::exists(file, none) ? file : fs::path();
+  };
+  const fs::path log = options.bus_log.empty() ? beside(".log") : options.bus_log;
+  if (bus && !log.empty()) return by_bus(recording, log, *bus, options.bus_log_offset_s, notes);
+  if (!options.labels.empty()) return {options.labels, read_labels(options.labels)};
+  if (const fs::path labels = beside(".txt"); !labels.empty()) return {labels, read_labels(labels)};
+  Label whole;
+  whole.situation = options.situation;
+  return {{}, {whole}};
+}
+
+void add_labelled(const fs::path& recording, const std::string& stem, const Labelling& labelling,
                   PartList& list) {
   std::vector<Part> parts;
   std::set<std::string> names;
-  for (const Label& label : read_labels(labels)) {
-    parts.push_back({recording, labelled_name(stem, label), labels, label});
+  for (const Label& label : labelling.labels) {
+    parts.push_back({recording, labelled_name(stem, label), labelling.file, label});
     if (!names.insert(parts.back().bank).second)
       throw InputError(
-          labels.string(), label.line, "start",
+          labelling.file.string(), label.line, "start",
           fmt::format("another label starts at {} s too, expected one bank a start", label.start_s));
   }
   note_overlaps(parts, list.notes);
   list.parts.insert(list.parts.end(), parts.begin(), parts.end());
 }
 
+/// A file that goes with one recording is not for several.
+void require_one(const fs::path& file, const char* kind, const char* extension, std::size_t recordings) {
+  if (!file.empty() && recordings != 1)
+    throw InputError(file.string(),
+                     fmt::format("is given for {} recordings, expected one (a {} beside each recording, with "
+                                 "its name and {}, is found by itself)",
+                                 recordings, kind, extension));
+}
+
 }  // namespace
 
 PartList list_parts(const AnalyzerOptions& options) {
   const std::vector<fs::path> recordings = recordings_of(options.inputs);
-  if (!options.labels.empty() && recordings.size() != 1)
-    throw InputError(
-        options.labels.string(),
-        fmt::format("is given for {} recordings, expected one (a label file beside each recording, with "
-                    "its name and .txt, is found by itself)",
-                    recordings.size()));
+  require_one(options.labels, "label file", ".txt", recordings.size());
+  require_one(options.bus_log, "bus log", ".log", recordings.size());
   const std::map<fs::path, std::string> stems = stems_of(recordings);
+  const std::optional<BusReading> bus = bus_reading(options);
   PartList list;
   std::set<std::string> taken;
   for (const fs::path& recording : recordings) {
@@ -121,16 +185,12 @@ PartList list_parts(const AnalyzerOptions& options) {
                               ": its bank would be named like another's, expected other file names");
       continue;
     }
-    fs::path labels = options.labels.empty() ? fs::path(recording).replace_extension(".txt") : options.labels;
-    std::error_code none;
-    if (options.labels.empty() && !fs::exists(labels, none)) {
-      Part part{recording, stem, {}, {}};
-      part.label.situation = options.situation;
-      list.parts.push_back(part);
-      continue;
-    }
     try {
-      add_labelled(recording, stem, labels, list);
+      const Labelling labelling = labelling_of(recording, options, bus, list.notes);
+      if (labelling.file.empty())
+        list.parts.push_back({recording, stem, {}, labelling.labels.front()});
+      else
+        add_labelled(recording, stem, labelling, list);
     } catch (const InputError& error) {
       list.failures.push_back(error.what());
     }

@@ -12,8 +12,10 @@ namespace rigsound::analysis {
 /// segments without drilling, a synthesis far from the recording. Thread: OFF.
 std::vector<std::string> lint_bank(const AnalysedPart& part, int wanted_clicks);
 
-/// Adds a warning to every bank whose T0 or level is out of order: between its neighbours in rod count (same
-/// situation and rock), or against normal drilling over the feed (same rods and rock). Thread: OFF.
+/// Adds warnings to banks that do not fit their series: rate or level outside of both neighbours in rods
+/// (same situation and rock) or in feed (same rods and rock); faster in overfeed or louder in underfeed than
+/// in normal drilling; a level far from the others'. Each says what was heard and what may be wrong. Thread:
+/// OFF.
 void lint_series(std::vector<AnalysedPart>& parts);
 
 }  // namespace rigsound::analysis

@@ -44,7 +44,8 @@ double evidence_to_keep(const ModelClicks& clicks, size_t i, double T_0, double 
   }
   if (std::min(before, after) < kDoubleBelow * T_0)
     return power < kAmongOthers.power * median_power ? kNever : kAmongOthers.gain;
-  return before + after > 1.5 * T_0 ? 0.5 : 6.0;
+  const bool in_a_gap = before + after > 1.5 * T_0 && clicks.onset[i] >= 0;
+  return in_a_gap ? 0.5 : 6.0;
 }
 
 Requirement evidence_to_add(const std::vector<long>& onset, long at, double T_0) {

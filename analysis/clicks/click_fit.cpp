@@ -20,10 +20,14 @@ void rescale(ModelClicks& clicks, int from, int to) {
   for (long& P : clicks.onset) P = std::lround(static_cast<double>(P) * from / to);
 }
 
-ModelClicks start(const Eigen::ArrayXd& q, const Selection& selection) {
+/// The selected clicks, and one a period before the first sample: a segment cut out of drilling begins with
+/// the tails of what came before, which together are one exponential. Without it the floor takes them, and
+/// part of every other tail with them. In silence it gets no power and is pruned; it never counts as found.
+ModelClicks start(const Eigen::ArrayXd& q, const Selection& selection, double T_0) {
   ModelClicks clicks;
   clicks.onset.assign(selection.block.begin(), selection.block.end());
   rescale(clicks, kCandidateBlock, kCoarse);
+  clicks.onset.insert(clicks.onset.begin(), -std::lround(T_0 / kCoarse));
   clicks.power =
       Eigen::ArrayXd::Constant(static_cast<long>(clicks.onset.size()), 3 * std::max(q.mean(), 1e-3));
   clicks.floor = std::max(1e-4, 0.5 * quantile(std::vector<double>(q.begin(), q.end()), 0.1));
@@ -65,8 +69,8 @@ ClickTrain fit_clicks(const Eigen::ArrayXd& y, const Candidates& candidates, con
   std::vector<long> candidate_blocks;
   for (const int block : candidates.block) candidate_blocks.push_back(block * (kCandidateBlock / kCoarse));
   double T_0 = selection.mean_gap_blocks * kCandidateBlock;
-  ModelClicks clicks = start(q, selection);
-  ClickEnvelope envelope = first_envelope(q, clicks.onset, T_0, kCoarse);
+  ModelClicks clicks = start(q, selection, T_0);
+  ClickEnvelope envelope = first_envelope(q, {clicks.onset.begin() + 1, clicks.onset.end()}, T_0, kCoarse);
   const bool rough = effort == FitEffort::kRough;
   coarse_rounds(q, candidate_blocks, rough ? kRoughRounds : kRounds, T_0, envelope, clicks);
   if (rough) {

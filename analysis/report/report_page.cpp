@@ -34,6 +34,7 @@ std::string summary_row(const AnalysedPart& p) {
   std::string html = fmt::format("<tr><td><a href=\"#{0}\">{0}</a></td><td>{1}</td>",
                                  chart::markup_text(p.part.bank), name(label.situation));
   html += number_cell(label.rods > 0 ? std::to_string(label.rods) : "–");
+  html += number_cell(label.feed_bar > 0 ? number(label.feed_bar, 0) : "–");
   html += fmt::format("<td>{}</td>", label.rock.empty() ? "–" : chart::markup_text(label.rock));
   html += number_cell(number(f.rate_hz, 2)) + number_cell(std::to_string(f.clicks_found)) +
           number_cell(number(f.level_db, 1)) + number_cell(number(f.snr_db, 1)) +
@@ -44,7 +45,8 @@ std::string summary_row(const AnalysedPart& p) {
 }
 
 constexpr const char* kSummaryHead =
-    "<div class=\"wide\"><table>\n<tr><th>Bank</th><th>Situation</th><th class=\"n\">Rods</th><th>Rock</th>"
+    "<div class=\"wide\"><table>\n<tr><th>Bank</th><th>Situation</th><th class=\"n\">Rods</th><th "
+    "class=\"n\">Feed<small>bar</small></th><th>Rock</th>"
     "<th class=\"n\">Rate<small>Hz</small></th><th class=\"n\">Clicks<small>found</small></th>"
     "<th class=\"n\">Level<small>dB re full scale</small></th><th class=\"n\">SNR<small>dB</small></th>"
     "<th class=\"n\">Spectrum<small>off by dB</small></th><th class=\"n\">Modulation<small>off by "
@@ -77,6 +79,8 @@ std::string section_head(const AnalysedPart& p) {
                                  chart::markup_text(p.part.bank), name(l.situation));
   if (l.rods > 0) html += ", " + counted(static_cast<std::size_t>(l.rods), "rod", "rods");
   if (!l.rock.empty()) html += ", " + chart::markup_text(l.rock);
+  if (l.feed_bar > 0) html += fmt::format(", feed {} bar", number(l.feed_bar, 1));
+  if (l.percussion_bar > 0) html += fmt::format(", percussion {} bar", number(l.percussion_bar, 1));
   if (l.rpm > 0) html += fmt::format(", {:.0f} r/min", l.rpm);
   html += fmt::format(
       " · {} Hz · {} clicks found, {} in the bank · decay to −60 dB {:.0f} ms · level {} dB · SNR {} dB · "

@@ -19,6 +19,16 @@ Biquad highpass(double f, double q) {
   return {(1 + c) / 2 / a0, -(1 + c) / a0, (1 + c) / 2 / a0, -2 * c / a0, (1 - alpha) / a0};
 }
 
+Biquad high_shelf(double f, double gain_db) {
+  constexpr double kQ = 0.5;
+  const double A = std::pow(10, gain_db / 40), w = dsp::kTwoPi * f / kAnalysisRate;
+  const double c = std::cos(w), root = 2 * std::sqrt(A) * std::sin(w) / (2 * kQ);
+  const double a0 = (A + 1) - (A - 1) * c + root;
+  return {A * ((A + 1) + (A - 1) * c + root) / a0, -2 * A * ((A - 1) + (A + 1) * c) / a0,
+          A * ((A + 1) + (A - 1) * c - root) / a0, 2 * ((A - 1) - (A + 1) * c) / a0,
+          ((A + 1) - (A - 1) * c - root) / a0};
+}
+
 Biquad one_pole(double f) {
   const double p = std::exp(-dsp::kTwoPi * f / kAnalysisRate);
   return {1 - p, 0, 0, -p, 0};

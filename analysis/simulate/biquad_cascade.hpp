@@ -15,6 +15,7 @@ using BiquadCascade = std::vector<Biquad>;
 /// Audio EQ Cookbook filters (Bristow-Johnson) at 48 kHz; `f` in Hz, `gain_db` in dB.
 Biquad peaking(double f, double gain_db, double q);
 Biquad highpass(double f, double q = 0.7071);
+Biquad high_shelf(double f, double gain_db);  ///< wide (Q 0.5), half of the gain at `f`
 
 /// First-order lowpass with its pole at exp(-2 pi f / fs).
 Biquad one_pole(double f);

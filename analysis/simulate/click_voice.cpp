@@ -14,28 +14,6 @@ namespace {
 constexpr int kSettle = 256;  // samples a filter runs in before its output is used
 constexpr std::size_t kModes = 48;
 
-/// Four broad bells, different for every click, that leave the energy of white noise as it is.
-BiquadCascade draw_variation(SplitMix& stream) {
-  constexpr double kCentres[] = {500, 1500, 4500, 12000};
-  BiquadCascade bells;
-  for (const double centre : kCentres) bells.push_back(peaking(centre, 3.0 * stream.normal(), 0.7));
-  std::vector<double> impulse(2048, 0.0);
-  impulse[0] = 1;
-  filter(bells, impulse);
-  double energy = 0;
-  for (const double h : impulse) energy += h * h;
-  const double scale = 1 / std::sqrt(energy);
-  bells[0].b0 *= scale, bells[0].b1 *= scale, bells[0].b2 *= scale;
-  return bells;
-}
-
-std::vector<double> coloured_noise(const BiquadCascade& bells, int length, SplitMix& noise) {
-  std::vector<double> u = noise.normals(static_cast<std::size_t>(length + kSettle));
-  filter(bells, u);
-  u.erase(u.begin(), u.begin() + kSettle);
-  return u;
-}
-
 std::vector<double> attack_only(const ClickEnvelope& envelope, int length) {
   return envelope_curve({envelope.attack_samples, envelope.attack_bend, 0}, length);
 }
@@ -78,6 +56,27 @@ std::vector<double> modal_click(const ClickVoice& voice, const std::vector<doubl
 int ClickVoice::length() const {
   // With whole decibels a period the length is often a whole number: the margin keeps rounding out of it.
   return static_cast<int>(envelope.attack_samples + std::log(10.0) * (70.0 / 20) / envelope.decay + 1e-6);
+}
+
+BiquadCascade draw_variation(SplitMix& stream) {
+  constexpr double kCentres[] = {500, 1500, 4500, 12000};
+  BiquadCascade bells;
+  for (const double centre : kCentres) bells.push_back(peaking(centre, 3.0 * stream.normal(), 0.7));
+  std::vector<double> impulse(2048, 0.0);
+  impulse[0] = 1;
+  filter(bells, impulse);
+  double energy = 0;
+  for (const double h : impulse) energy += h * h;
+  const double scale = 1 / std::sqrt(energy);
+  bells[0].b0 *= scale, bells[0].b1 *= scale, bells[0].b2 *= scale;
+  return bells;
+}
+
+std::vector<double> coloured_noise(const BiquadCascade& bells, int length, SplitMix& noise) {
+  std::vector<double> u = noise.normals(static_cast<std::size_t>(length + kSettle));
+  filter(bells, u);
+  u.erase(u.begin(), u.begin() + kSettle);
+  return u;
 }
 
 BiquadCascade draw_colour(SplitMix& stream) {

@@ -30,6 +30,12 @@ struct ClickVoice {
   int length() const;
 };
 
+/// Four broad bells, different for every click, that leave the energy of white noise as it is.
+BiquadCascade draw_variation(SplitMix& stream);
+
+/// White noise through `bells`, from their settled state on.
+std::vector<double> coloured_noise(const BiquadCascade& bells, int length, SplitMix& noise);
+
 /// highpass, lowpass and five resonances.
 BiquadCascade draw_colour(SplitMix& stream);
 

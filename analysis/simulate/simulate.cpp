@@ -11,6 +11,7 @@
 #include "rigsound/machine/input_error.hpp"
 #include "simulate/diesel_files.hpp"
 #include "simulate/drillbench_clip.hpp"
+#include "simulate/feed_ramp_files.hpp"
 #include "simulate/truth_files.hpp"
 
 namespace rigsound::analysis {
@@ -47,8 +48,9 @@ double number(const std::string& text) {
   return value;
 }
 
-std::string write_situation(const fs::path& folder, const SituationRecording& r) {
-  const std::string stem(name(r.situation));
+/// Under `folder`/`place`, its truth under `folder`/truth.
+std::string write_situation(const fs::path& folder, const fs::path& place, const std::string& stem,
+                            const SituationRecording& r) {
   const fs::path truth = folder / "truth";
   write_wave(truth / (stem + "_clean.wav"), r.clean, kRate);
   write_wave(truth / (stem + "_background.wav"), r.background, kRate);
@@ -57,10 +59,10 @@ std::string write_situation(const fs::path& folder, const SituationRecording& r)
   voice.envelope = r.envelope;
   write_envelope_csv(truth / (stem + "_envelope.csv"), r.envelope, voice.length());
   write_parameters_csv(truth / (stem + "_parameters.csv"), r);
-  write_labels(folder / (stem + ".txt"), r);
-  write_wave(folder / (stem + ".wav"), mixed(r.clean, r.background, 1, 1), kRate);
-  return fmt::format("{}.wav parts={} clicks={} rate_hz={:.2f} rpm={:.0f}", stem, r.parts.size(),
-                     r.clicks.size(), r.rate_hz, r.rpm);
+  write_labels(folder / place / (stem + ".txt"), r);
+  write_wave(folder / place / (stem + ".wav"), mixed(r.clean, r.background, 1, 1), kRate);
+  return fmt::format("{}.wav parts={} clicks={} rate_hz={:.2f} rpm={:.0f}", (place / stem).string(),
+                     r.parts.size(), r.clicks.size(), r.rate_hz, r.rpm);
 }
 
 }  // namespace
@@ -69,9 +71,30 @@ std::vector<std::string> write_situations(const fs::path& folder, std::uint64_t 
   make_folder(folder / "truth");
   make_folder(folder / "engine");
   std::vector<std::string> lines;
-  for (int i = 0; i < kSituationCount; ++i)
-    lines.push_back(write_situation(folder, simulate_situation(static_cast<Situation>(i), seed, seconds)));
+  for (int i = 0; i < kSituationCount; ++i) {
+    const auto situation = static_cast<Situation>(i);
+    lines.push_back(write_situation(folder, {}, std::string(name(situation)),
+                                    simulate_situation(situation, seed, seconds)));
+  }
   for (std::string& line : write_diesel(folder, {seed})) lines.push_back(std::move(line));
+  return lines;
+}
+
+std::vector<std::string> write_feed_ramp(const fs::path& folder, std::uint64_t seed, double seconds) {
+  make_folder(folder / "truth");
+  make_folder(folder / "feed");
+  return write_ramp(folder, seed, seconds);
+}
+
+std::vector<std::string> write_rods(const fs::path& folder, std::uint64_t seed,
+                                    const std::vector<int>& counts, double seconds) {
+  make_folder(folder / "truth");
+  make_folder(folder / "rods");
+  std::vector<std::string> lines;
+  for (const int rods : counts)
+    for (const Situation s : {Situation::kUnderfeed, Situation::kNormal, Situation::kOverfeed})
+      lines.push_back(write_situation(folder, "rods", fmt::format("rods{}_{}", rods, name(s)),
+                                      simulate_situation(s, seed, seconds, rods)));
   return lines;
 }
 

@@ -4,20 +4,14 @@
 #include <cmath>
 
 #include "rigsound/analysis/rate.hpp"
-#include "simulate/background_noise.hpp"
-#include "simulate/situation_recipe.hpp"
+#include "simulate/drilling_click.hpp"
+#include "simulate/drilling_recording.hpp"
+#include "simulate/rattling_recipe.hpp"
 
 namespace rigsound::analysis {
 namespace {
 
-constexpr double kNormalRms = 0.04;        // full scale = 1; leaves room for a burst 12 dB louder
-constexpr double kBackgroundRms = 0.016;   // 8 dB under normal drilling
-constexpr std::uint64_t kMachine = 77001;  // seeds of what belongs to the machine, not to the recording
-
-/// A stream of its own for every purpose of every recording.
-SplitMix stream(std::uint64_t seed, Situation situation, std::uint64_t purpose) {
-  return SplitMix(dsp::mix64(seed) + dsp::mix64(8 * static_cast<std::uint64_t>(situation) + purpose + 1));
-}
+constexpr double kBackgroundRms = 0.016;  // 8 dB under normal drilling, as in DrillingCourse
 
 /// One long stretch with the engine alone before and after; open rattling comes in bursts.
 std::vector<SimulatedPart> draw_parts(Situation situation, double seconds, SplitMix& r) {
@@ -41,10 +35,6 @@ double rms_within(const std::vector<double>& x, const std::vector<SimulatedPart>
   return std::sqrt(energy / count);
 }
 
-void scale(std::vector<double>& x, double gain) {
-  for (double& v : x) v *= gain;
-}
-
 void add_part_clicks(SituationRecording& recording, const SimulatedPart& part, SplitMix& r) {
   const auto offset = static_cast<int>(std::nearbyint(part.start * kAnalysisRate));
   for (SimulatedClick c : draw_clicks(recording.process, part.end - part.start, r)) {
@@ -53,26 +43,25 @@ void add_part_clicks(SituationRecording& recording, const SimulatedPart& part, S
   }
 }
 
-void render(SituationRecording& recording, const SituationRecipe& how, std::uint64_t seed, int frames) {
+void render(SituationRecording& recording, const RattlingRecipe& how, const Take& take, int frames) {
   SplitMix machine(kMachine);
   ClickVoice voice;
   voice.envelope = recording.envelope;
   voice.colour = how.colour;
-  if (how.modal) voice.modes = draw_modes(machine);
-  voice.noise_seed = stream(seed, recording.situation, 2).bits();
-  voice.variation_seed = stream(seed, recording.situation, 3).bits();
+  voice.modes = draw_modes(machine);
+  voice.noise_seed = take.stream(2).bits();
+  voice.variation_seed = take.stream(3).bits();
   std::vector<int> onsets;
   for (const SimulatedClick& c : recording.clicks) onsets.push_back(c.P);
   recording.clean = render_clicks(voice, recording.clicks, onsets, frames);
-  scale(recording.clean,
-        kNormalRms * std::pow(10, how.level_db / 20) / rms_within(recording.clean, recording.parts));
+  const double gain = DrillingLaws::kNormalRms * std::pow(10, how.level_db / 20) /
+                      rms_within(recording.clean, recording.parts);
+  for (double& v : recording.clean) v *= gain;
 }
 
-}  // namespace
-
-SituationRecording simulate_situation(Situation situation, std::uint64_t seed, double seconds) {
-  const SituationRecipe how = recipe(situation);
-  SplitMix structure = stream(seed, situation, 0);
+SituationRecording simulate_rattling(Situation situation, const Take& take, double seconds) {
+  const RattlingRecipe how = rattling_recipe(situation);
+  SplitMix structure = take.stream(0);
   SituationRecording recording;
   recording.situation = situation;
   recording.rpm = how.rpm;
@@ -83,13 +72,45 @@ SituationRecording simulate_situation(Situation situation, std::uint64_t seed, d
   recording.envelope.decay = std::log(10.0) * how.decay_db / 20 / recording.process.T0();
   recording.parts = draw_parts(situation, seconds, structure);
   for (const SimulatedPart& part : recording.parts) add_part_clicks(recording, part, structure);
-  render(recording, how, seed, static_cast<int>(std::nearbyint(seconds * kAnalysisRate)));
-
-  SplitMix machine(kMachine + 1), noise = stream(seed, situation, 4);
-  recording.background =
-      background_noise(BackgroundScene::ramp(seconds, how.rpm * 0.97, how.rpm * 1.03), machine, noise);
-  scale(recording.background, kBackgroundRms);
+  render(recording, how, take, static_cast<int>(std::nearbyint(seconds * kAnalysisRate)));
+  recording.background = recorded_background(seconds, how.rpm, how.rpm, kBackgroundRms, take);
   return recording;
+}
+
+double feed_of(Situation situation) {
+  return situation == Situation::kUnderfeed  ? DrillingLaws::kUnderfeed_bar
+         : situation == Situation::kOverfeed ? DrillingLaws::kOverfeed_bar
+                                             : DrillingLaws::kNormal_bar;
+}
+
+SituationRecording simulate_fed(Situation situation, const Take& take, double seconds, int rods) {
+  const DrillingLaws laws(take.seed);
+  DrillingCourse course;
+  course.seconds = seconds;
+  course.start_feed_bar = course.end_feed_bar = feed_of(situation);
+  course.rods = rods;
+  const DrillingPoint p = laws.at(course.start_feed_bar, rods);
+  DrillingRecording drilling = simulate_drilling(course, laws, take);
+  SituationRecording recording;
+  recording.situation = situation, recording.rods = rods, recording.feed_bar = course.start_feed_bar;
+  recording.rpm = p.diesel_rpm;
+  recording.process.F0 = recording.rate_hz = p.rate_hz;
+  recording.process.jitter = p.gap_variation, recording.process.miss = p.miss_share;
+  recording.process.amplitude_cv = p.norm_variation, recording.process.amplitude_rho = kNormCorrelation;
+  recording.envelope = drilling_envelope(p);
+  recording.parts = {{course.begin_s(), course.end_s()}};
+  recording.clicks = std::move(drilling.clicks);
+  recording.clean = std::move(drilling.clean);
+  recording.background = std::move(drilling.background);
+  return recording;
+}
+
+}  // namespace
+
+SituationRecording simulate_situation(Situation situation, std::uint64_t seed, double seconds, int rods) {
+  const Take take{seed, static_cast<std::uint64_t>(situation) + 8 * static_cast<std::uint64_t>(rods - 1)};
+  const bool rattles = situation == Situation::kClosedRattling || situation == Situation::kOpenRattling;
+  return rattles ? simulate_rattling(situation, take, seconds) : simulate_fed(situation, take, seconds, rods);
 }
 
 }  // namespace rigsound::analysis

@@ -15,9 +15,11 @@ struct SimulatedPart {
 };
 
 struct SituationRecording {
-  Situation situation;
-  double rate_hz = 0;  ///< impacts a second
-  double rpm = 0;      ///< r/min of the diesel in the middle of the recording
+  Situation situation = Situation::kNormal;
+  int rods = 1;
+  double feed_bar = 0;  ///< 0: rattling, whatever the feed
+  double rate_hz = 0;   ///< impacts a second, those that do not come counted in
+  double rpm = 0;       ///< r/min of the diesel in the middle of the recording
   ClickProcess process;
   ClickEnvelope envelope;
   std::vector<SimulatedPart> parts;
@@ -26,7 +28,8 @@ struct SituationRecording {
 };
 
 /// The machine is always the same: colours, modes and diesel orders do not depend on `seed`; impacts, noises
-/// and the exact rate do. `seconds` >= 4. Thread: OFF.
-SituationRecording simulate_situation(Situation situation, std::uint64_t seed, double seconds);
+/// and the exact rate do. Drilling follows DrillingLaws at the feed of its situation; rattling is recorded
+/// with one rod whatever `rods` says. `seconds` >= 4, `rods` 1...20. Thread: OFF.
+SituationRecording simulate_situation(Situation situation, std::uint64_t seed, double seconds, int rods = 1);
 
 }  // namespace rigsound::analysis

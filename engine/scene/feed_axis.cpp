@@ -160,4 +160,47 @@ FeedPlace FeedAxis::place(double feed_bar, double rods, int rock) const noexcept
   return place;
 }
 
+/// What `end` and everything beyond it up to `last_bar` cannot follow.
+void FeedAxis::add_limits(const Point& end, const FeedLaws& laws, double last_bar, FeedReach& reach) const {
+  // The slope of saturated() has fallen to a half where x = limit * sqrt(2^(2/3) - 1).
+  constexpr double kHalf = 0.7664;
+  const ClickBank& bank = bank_of(end);
+  const double direction = last_bar < end.feed_bar ? -1 : 1, room = std::fabs(last_bar - end.feed_bar);
+  const auto limit = [&](std::string_view parameter, double slope, double most, double left) {
+    const double falling = slope * direction < 0 ? left : most;
+    const double bars = slope == 0 ? room : std::min(kHalf * most, falling) / std::fabs(slope);
+    if (bars < room) reach.limits.push_back({parameter, end.feed_bar + direction * bars});
+  };
+  limit("rate", laws.ln_gap, kMostGap, kMostGap);
+  limit("level", laws.ln_level, kMostLevel, kMostLevel);
+  limit("decay", laws.ln_decay, kMostDecay, kMostDecay);
+  limit("gap variation", laws.gap_variation, kMostVariation,
+        bank.gap_deviation_samples / bank.mean_gap_samples);
+  limit("amplitude variation", laws.amplitude_variation, kMostVariation,
+        bank.amplitude_deviation / bank.mean_amplitude);
+}
+
+std::vector<FeedReach> FeedAxis::reach() const {
+  std::vector<FeedReach> all;
+  for (std::size_t r = 0; r < rocks_.size(); ++r)
+    for (const Series& series : rocks_[r]) {
+      const std::vector<Point>& points = series.points;
+      if (points.empty()) continue;
+      FeedReach reach{series.rods,
+                      static_cast<int>(r) - 1,
+                      static_cast<int>(points.size()),
+                      points.front().feed_bar,
+                      points.back().feed_bar,
+                      {}};
+      add_limits(points.front(), series.below, kFeedPressures.min, reach);
+      add_limits(points.back(), series.above, kFeedPressures.max, reach);
+      all.push_back(std::move(reach));
+    }
+  return all;
+}
+
+std::vector<FeedReach> feed_reach(const SoundSet& sounds, const SceneOptions& options) {
+  return FeedAxis(sounds, options).reach();
+}
+
 }  // namespace rigsound::scene

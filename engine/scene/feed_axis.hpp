@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drill/drill_input.hpp"
+#include "rigsound/feed_reach.hpp"
 #include "rigsound/feed_rule.hpp"
 #include "rigsound/options.hpp"
 #include "rigsound/sound_set.hpp"
@@ -27,6 +28,9 @@ class FeedAxis {
   /// `rods` may lie between two counts: then so does the sound. Thread: RT.
   FeedPlace place(double feed_bar, double rods, int rock) const noexcept;
 
+  /// Thread: OFF.
+  std::vector<FeedReach> reach() const;
+
  private:
   struct Point {
     double feed_bar, percussion_bar;
@@ -39,6 +43,7 @@ class FeedAxis {
     FeedLaws below, above;  ///< slopes at the two ends
   };
   Series series_of(int rods, int rock) const;
+  void add_limits(const Point& end, const FeedLaws& laws, double last_bar, FeedReach& reach) const;
   const ClickBank& bank_of(const Point& point) const noexcept { return sounds_->banks[point.use->bank]; }
   void draw(const Point& point, double share, FeedPlace& place) const noexcept;
   void add(const Series& series, double feed_bar, double weight, FeedPlace& place) const noexcept;

@@ -36,7 +36,7 @@ FLOORS = (
     ('impact',),
     ('drill', 'tool', 'diesel'),
     ('string',),
-    ('scene', 'mix', 'rigsound/feed_rule.hpp', 'rigsound/options.hpp', 'rigsound/sound_set.hpp'),
+    ('scene', 'mix', 'rigsound/feed_reach.hpp', 'rigsound/feed_rule.hpp', 'rigsound/options.hpp', 'rigsound/sound_set.hpp'),
     ('engine_check.hpp', 'engine_check.cpp', 'engine.cpp', 'rigsound/engine.hpp'),
 )
 # The daemon and the library play; they never analyse.

@@ -19,7 +19,8 @@ using namespace analysis;
 
 struct AnalyzeArguments {
   std::vector<std::string> inputs;
-  std::string situation = "normal", method = "click-nmf", shard = "1/1", report, sound_set, labels;
+  std::string situation = "normal", method = "click-nmf", shard = "1/1", report, sound_set, labels, rig,
+              bus_log;
   bool no_denoise = false;
   AnalyzerOptions options;
 };
@@ -36,6 +37,8 @@ AnalyzerOptions options_of(const AnalyzeArguments& a) {
   options.inputs.assign(a.inputs.begin(), a.inputs.end());
   options.sound_set = a.sound_set;
   options.labels = a.labels;
+  options.rig = a.rig;
+  options.bus_log = a.bus_log;
   options.situation = *situation_by_name(a.situation);
   options.method = a.method == "paper" ? Method::kPaper : Method::kClickNmf;
   options.denoise = !a.no_denoise;
@@ -47,11 +50,11 @@ AnalyzerOptions options_of(const AnalyzeArguments& a) {
 
 void print_bank(const AnalysedPart& p) {
   fmt::print(
-      "{} situation={} rods={} rate_hz={:.3f} clicks={} found={} level_db={:.2f} snr_db={:.2f} "
+      "{} situation={} rods={} feed_bar={} rate_hz={:.3f} clicks={} found={} level_db={:.2f} snr_db={:.2f} "
       "ltas_error_db={:.2f} "
       "modulation_error_db={:.2f} source={}\n",
-      p.part.bank, name(p.part.label.situation), p.part.label.rods, p.figures.rate_hz, p.clicks,
-      p.figures.clicks_found, p.figures.level_db, p.figures.snr_db, p.figures.ltas_error_db,
+      p.part.bank, name(p.part.label.situation), p.part.label.rods, p.part.label.feed_bar, p.figures.rate_hz,
+      p.clicks, p.figures.clicks_found, p.figures.level_db, p.figures.snr_db, p.figures.ltas_error_db,
       p.figures.modulation_error_db, p.part.recording.string());
 }
 
@@ -89,6 +92,18 @@ void add_analyze(cli::Verb& program) {
       .required();
   verb.option("--labels", a->labels,
               "Audacity label file of the one recording; otherwise STEM.txt beside each recording is used");
+  const cli::Option rig =
+      verb.option("--rig", a->rig,
+                  "rig file that describes the bus; a bus log STEM.log beside a recording is then read "
+                  "instead of its labels")
+          .type("RIG.toml");
+  const cli::Option bus_log =
+      verb.option("--bus-log", a->bus_log, "bus log of the one recording, instead of the one beside it")
+          .needs(rig);
+  verb.option("--bus-log-offset", o.bus_log_offset_s,
+              "when in the recording the bus log begins, s; negative: before it")
+      .needs(rig)
+      .shows_default();
   verb.option("--situation", a->situation, "of recordings without labels, which are taken whole")
       .one_of({kSituationNames.begin(), kSituationNames.end()})
       .shows_default();
@@ -107,8 +122,15 @@ void add_analyze(cli::Verb& program) {
       "so a "
       "run that was stopped goes on where it was. What gave no bank is listed at the end, and the exit code "
       "is "
-      "then 1.");
+      "then 1.\n"
+      "A bus log cuts its recording by situation, rods, rock and feed pressure; a feed that moves gives a "
+      "part "
+      "every 10 bar. From banks of three feeds or more of one rod count and rock, how the sound goes on "
+      "beyond "
+      "them is written to soundset.toml as [[laws]].");
   verb.example("rigsound analyze recordings/ --out soundset --jobs 4 --report report.html");
+  verb.example(
+      "rigsound analyze feed/ramp.wav --bus-log feed/ramp.log --rig config/rigs/demo.toml --out soundset");
   verb.callback([a] { analyze(*a); });
 }
 

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <functional>
 
 #include "check/modbus_probe.hpp"
 #include "rigsound/config/rig.hpp"
+#include "rigsound/feed_reach.hpp"
 #include "rigsound/modbus/exchange.hpp"
 #include "verbs.hpp"
 
@@ -73,6 +75,26 @@ void warn_of_missing_signals(const config::Rig& rig) {
                  info(needed).name, info(needed).absent);
 }
 
+/// "level from 262 bar, decay from 240 bar", of one end.
+std::string limits_text(const scene::FeedReach& reach, const std::function<bool(double)>& beyond) {
+  std::string text;
+  for (const scene::TrendLimit& limit : reach.limits)
+    if (beyond(limit.feed_bar))
+      text += fmt::format("{}{} from {:.0f} bar", text.empty() ? "" : ", ", limit.parameter, limit.feed_bar);
+  return text.empty() ? "nothing" : text;
+}
+
+/// Where the trends beyond the recorded feeds flatten.
+void print_feed_reach(const config::Rig& rig, const SoundSet& sounds) {
+  for (const scene::FeedReach& reach : scene::feed_reach(sounds, rig.engine.scene))
+    fmt::print("feed, {} {}{}: {} banks at {:g} to {:g} bar; flattens below them: {}; above: {}\n",
+               reach.rods, reach.rods == 1 ? "rod" : "rods",
+               reach.rock < 0 ? "" : ", " + sounds.rocks[static_cast<std::size_t>(reach.rock)].name,
+               reach.banks, reach.lowest_bar, reach.highest_bar,
+               limits_text(reach, [&](double bar) { return bar <= reach.lowest_bar; }),
+               limits_text(reach, [&](double bar) { return bar >= reach.highest_bar; }));
+}
+
 struct Options {
   std::string rig;
   bool probe = false;
@@ -86,7 +108,7 @@ void check(const Options& options) {
   const std::string summary = fmt::format(
       "sound set {}: {} banks, {} clicks, {} rocks, {} tools, background: {}\n", rig.sound_set.string(),
       sounds.banks.size(), clicks, sounds.rocks.size(), sounds.tools.size(), sounds.diesels.front().name);
-  const Engine engine = config::build_engine(rig, std::move(sounds));  // builds every table the daemon would
+  const Engine engine = config::build_engine(rig, sounds);  // builds every table the daemon would
   fmt::print("ok\n");
   fmt::print("audio {}: {:g} Hz, {} channels, blocks of {} frames ({:.2f} ms), {} periods\n",
              rig.audio.device, rig.audio.rate, rig.audio.channels, rig.audio.block,
@@ -95,6 +117,7 @@ void check(const Options& options) {
   fmt::print("booms:");
   for (const BoomOptions& boom : rig.engine.booms) fmt::print(" {}", boom.name);
   fmt::print("\n");
+  print_feed_reach(rig, sounds);
   print_can(rig);
   print_modbus(rig);
   print_udp(rig);

@@ -1,4 +1,6 @@
 // rigsound simulate: recordings with their truth.
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <memory>
 
@@ -15,31 +17,55 @@ struct SimulateOptions {
   std::vector<std::string> ids;
   std::vector<std::string> snr_db{"-6", "0", "6", "12"};
   double rate_factor = 1;
+  double ramp_seconds = 0;
+  std::string rods;
 };
 
 constexpr double kRecordingSeconds = 18, kClipSeconds = 2;
+constexpr int kMostRods = 20;
 
 /// "7" and "100-131" into numbers.
-std::vector<int> expand(const std::vector<std::string>& ranges) {
+std::vector<int> expand(const std::string& option, const std::vector<std::string>& ranges) {
   std::vector<int> ids;
   for (const std::string& text : ranges) {
     int low = 0, high = 0, read = 0;
     const int found = std::sscanf(text.c_str(), "%d%n-%d%n", &low, &read, &high, &read);
     if (found < 1 || read != static_cast<int>(text.size()))
-      throw cli::UsageError("--ids", "'" + text + "' is neither a number nor a range such as 100-131");
+      throw cli::UsageError(option, "'" + text + "' is neither a number nor a range such as 3-7");
     for (int id = low; id <= (found == 2 ? high : low); ++id) ids.push_back(id);
   }
   return ids;
 }
 
+/// "1,3,6" into rod counts.
+std::vector<int> rod_counts(const std::string& text) {
+  std::vector<std::string> words(1);
+  for (const char c : text) c == ',' ? words.emplace_back().clear() : words.back().push_back(c);
+  const std::vector<int> counts = expand("--rods", words);
+  for (const int count : counts)
+    if (count < 1 || count > kMostRods)
+      throw cli::UsageError("--rods", fmt::format("is {}, expected 1...{}", count, kMostRods));
+  return counts;
+}
+
+std::vector<std::string> situations(const SimulateOptions& o) {
+  const double seconds = o.seconds > 0 ? o.seconds : kRecordingSeconds;
+  const std::vector<int> counts = o.rods.empty() ? std::vector<int>() : rod_counts(o.rods);
+  std::vector<std::string> lines = analysis::write_situations(o.folder, o.seed, seconds);
+  const auto add = [&lines](const std::vector<std::string>& more) {
+    lines.insert(lines.end(), more.begin(), more.end());
+  };
+  if (!counts.empty()) add(analysis::write_rods(o.folder, o.seed, counts, seconds));
+  if (o.ramp_seconds > 0) add(analysis::write_feed_ramp(o.folder, o.seed, o.ramp_seconds));
+  return lines;
+}
+
 void simulate(const SimulateOptions& o) {
-  std::vector<std::string> lines;
-  if (o.ids.empty()) {
-    lines = analysis::write_situations(o.folder, o.seed, o.seconds > 0 ? o.seconds : kRecordingSeconds);
-  } else {
-    lines = analysis::write_drillbench(
-        o.folder, {expand(o.ids), o.snr_db, o.seconds > 0 ? o.seconds : kClipSeconds, o.rate_factor});
-  }
+  const std::vector<std::string> lines =
+      o.ids.empty()
+          ? situations(o)
+          : analysis::write_drillbench(o.folder, {expand("--ids", o.ids), o.snr_db,
+                                                  o.seconds > 0 ? o.seconds : kClipSeconds, o.rate_factor});
   for (const std::string& line : lines) std::printf("%s\n", line.c_str());
 }
 
@@ -57,11 +83,22 @@ void add_simulate(cli::Verb& program) {
   const cli::Option ids =
       verb.option("--ids", o->ids, "DrillBench clips by number instead, such as 100-131 or 3,7")
           .separated_by_commas();
+  verb.option("--feed-ramp", o->ramp_seconds,
+              "also a recording of so many seconds along a feed ramp, with its bus log; the name alone: 96")
+      .range(10, 3600)
+      .value_or("96")
+      .excludes(ids);
+  verb.option("--rods", o->rods,
+              "also underfeed, normal and overfeed of these rod counts; the name alone: 1,3,6")
+      .value_or("1,3,6")
+      .type("N,N...")
+      .excludes(ids);
   verb.option("--snr", o->snr_db, "ratios of the mixed clips, dB").separated_by_commas().needs(ids);
   verb.option("--rate-factor", o->rate_factor, "the same impacts, this much closer together")
       .range(0.25, 4)
       .needs(ids);
   verb.example("rigsound simulate --out recordings --seed 7");
+  verb.example("rigsound simulate --out recordings --feed-ramp --rods 1,3,6");
   verb.example("rigsound simulate --out bench --ids 100-131 --snr -6,0,6,12");
   verb.callback([o] { simulate(*o); });
 }

@@ -18,7 +18,10 @@ struct AnalyzerOptions {
   std::vector<std::filesystem::path> inputs;  ///< recordings, and folders of them (not the folders inside)
   std::filesystem::path sound_set;            ///< folder the banks go to
   std::filesystem::path labels;               ///< of the one input; empty: STEM.txt beside each recording
-  Situation situation = Situation::kNormal;   ///< of recordings without labels, taken whole
+  std::filesystem::path rig;                  ///< describes the bus of bus logs; empty: they are not read
+  std::filesystem::path bus_log;  ///< of the one input; empty: STEM.log beside each recording, if it is there
+  double bus_log_offset_s = 0;    ///< when in the recording the bus log begins; negative: before it
+  Situation situation = Situation::kNormal;  ///< of recordings without labels, taken whole
   Method method = Method::kClickNmf;
   bool denoise = true;        ///< false: recordings are taken as clean
   int clicks = 10;            ///< in a bank, at most
@@ -31,8 +34,9 @@ struct AnalyzerOptions {
 /// A stretch of one recording that becomes one bank.
 struct Part {
   std::filesystem::path recording;
-  std::string bank;              ///< name of its bank
-  std::filesystem::path labels;  ///< file of its label; empty: none, the part is the whole recording
+  std::string bank;  ///< name of its bank
+  std::filesystem::path
+      labels;  ///< file of its label, or the bus log; empty: the part is the whole recording
   Label label;
 
   bool whole() const { return labels.empty(); }
@@ -56,11 +60,11 @@ struct AnalyzerResult {
 /// Called from one thread at a time. Parts that were kept count neither as analysed nor in the total.
 using AnalyzerProgress = std::function<void(int analysed, int total)>;
 
-/// Analyses every part that has no finished bank with the same settings and source hash yet, and adds missing
-/// entries to soundset.toml. A bank is on disk whole or not at all; several shards may write to one sound set
-/// at once. Errors: InputError when there is nothing to analyse or soundset.toml is broken; DeviceError for
-/// the disk. A part that cannot be analysed is no error but a line of `failures`. Thread: OFF; starts `jobs`
-/// threads and joins them.
+/// A bus log cuts its recording into parts and wins over labels. Analyses every part that has no finished
+/// bank with the same settings and source hash yet, and adds missing entries to soundset.toml. A bank is on
+/// disk whole or not at all; several shards may write to one sound set at once. Errors: InputError when there
+/// is nothing to analyse or soundset.toml is broken; DeviceError for the disk. A part that cannot be analysed
+/// is no error but a line of `failures`. Thread: OFF; starts `jobs` threads and joins them.
 AnalyzerResult run_analyzer(const AnalyzerOptions& options, const AnalyzerProgress& progress);
 
 }  // namespace rigsound::analysis

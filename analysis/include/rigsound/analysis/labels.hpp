@@ -14,15 +14,16 @@ constexpr double kLabelSlack_s = 0.05;  ///< labels are set by hand
 struct Label {
   double start_s = 0, end_s = 0;
   Situation situation = Situation::kNormal;
-  int rods = 0;      ///< 1...20; 0: not said
-  std::string rock;  ///< empty: not said
-  double rpm = 0;    ///< r/min of the diesel; 0: not said
-  int line = 0;      ///< in the label file
+  int rods = 0;                             ///< 1...20; 0: not said
+  std::string rock;                         ///< empty: not said
+  double rpm = 0;                           ///< r/min of the diesel; 0: not said
+  double feed_bar = 0, percussion_bar = 0;  ///< 1...300 bar; 0: not said
+  int line = 0;                             ///< in the label file
 };
 
-/// Lines of `start<TAB>end<TAB>situation[ key=value]...`, seconds, keys `rods`, `rock`, `rpm`; in file order.
-/// Blank lines and Audacity's frequency lines (starting with a backslash) are passed over. Errors: InputError
-/// with file, line and key. Thread: OFF.
+/// Lines of `start<TAB>end<TAB>situation[ key=value]...`, seconds, keys `rods`, `rock`, `rpm`, `feed`,
+/// `percussion` (bar); in file order. Blank lines and Audacity's frequency lines (starting with a backslash)
+/// are passed over. Errors: InputError with file, line and key. Thread: OFF.
 std::vector<Label> read_labels(const std::filesystem::path& path);
 
 }  // namespace rigsound::analysis

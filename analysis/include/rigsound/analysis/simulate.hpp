@@ -16,6 +16,20 @@ namespace rigsound::analysis {
 std::vector<std::string> write_situations(const std::filesystem::path& folder, std::uint64_t seed,
                                           double seconds);
 
+/// Writes a recording along a feed ramp from 35 to 165 bar with one rod, drilling 6 dB over the background at
+/// the normal feed: feed/ramp.wav, .txt (a label every 10 bar) and .log (what a bus of config/dbc/rig.dbc
+/// said meanwhile), and under truth/ feed_ramp_clean.wav, _background.wav, _truth.csv, _feed.csv
+/// (time_s,feed_bar), _laws.csv (rate, level, decay, brightness, missed impacts over the feed) and
+/// _slopes.csv (the laws as soundset.toml has them). `seconds` >= 10. Returns and errors: as above. Thread:
+/// OFF.
+std::vector<std::string> write_feed_ramp(const std::filesystem::path& folder, std::uint64_t seed,
+                                         double seconds);
+
+/// Writes underfeed, normal and overfeed of each rod count into rods/: rodsN_NAME.wav, .txt and their truth,
+/// as write_situations does. `counts` 1...20. Thread: OFF.
+std::vector<std::string> write_rods(const std::filesystem::path& folder, std::uint64_t seed,
+                                    const std::vector<int>& counts, double seconds);
+
 struct DrillBenchRequest {
   std::vector<int> ids;
   std::vector<std::string> snr_db;  ///< as written: they name the files

@@ -50,6 +50,9 @@ TEST_CASE("every part gets its bank, a bad recording stops nothing and is listed
   REQUIRE(index.banks.size() == 3);
   CHECK(index.banks[1].situation == Situation::kOverfeed);
   CHECK(index.banks[1].rods == 2);
+  CHECK(index.banks[1].feed_bar == 150);
+  CHECK(index.banks[1].percussion_bar == 170);
+  CHECK(index.banks[0].feed_bar == 0);
   REQUIRE(index.rocks.size() == 1);
   CHECK(index.rocks[0].name == "granite");
 }

@@ -47,7 +47,8 @@ inline void write_recordings(const Workplace& at) {
   write_clip(at / "in/whole.wav", 112, 2);
   write_clip(at / "in/two.wav", 103, 4.2);
   write_text(at / "in/two.txt",
-             "0.0\t2.0\tnormal rods=2 rock=granite\n2.1\t4.1\toverfeed rods=2 rock=granite\n");
+             "0.0\t2.0\tnormal rods=2 rock=granite\n2.1\t4.1\toverfeed rods=2 rock=granite feed=150 "
+             "percussion=170\n");
   write_text(at / "in/bad.wav", "this is no sound");
 }
 

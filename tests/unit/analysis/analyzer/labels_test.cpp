@@ -48,7 +48,7 @@ bool complains(const std::string& text, int line, const std::string& key) {
 
 TEST_CASE("Audacity labels are read as they are written") {
   const LabelFile file(
-      "0.500000\t3.250000\tnormal rods=4 rock=granite rpm=1900\r\n"
+      "0.500000\t3.250000\tnormal rods=4 rock=granite rpm=1900 feed=92.5 percussion=160\r\n"
       "\\\t100.0\t2000.0\n"
       "\n"
       "4\t5.5\topen_rattling\n");
@@ -60,8 +60,11 @@ TEST_CASE("Audacity labels are read as they are written") {
   CHECK(labels[0].rods == 4);
   CHECK(labels[0].rock == "granite");
   CHECK(labels[0].rpm == 1900);
+  CHECK(labels[0].feed_bar == 92.5);
+  CHECK(labels[0].percussion_bar == 160);
   CHECK(labels[1].situation == Situation::kOpenRattling);
   CHECK(labels[1].rods == 0);
+  CHECK(labels[1].feed_bar == 0);
   CHECK(labels[1].line == 4);
 }
 
@@ -80,6 +83,9 @@ TEST_CASE("every mistake is told with its line and key") {
   CHECK(complains("0\t1\tnormal rods=2.5\n", 1, "rods"));
   CHECK(complains("0\t1\tnormal rod=2\n", 1, "rod"));
   CHECK(complains("0\t1\tnormal rpm=fast\n", 1, "rpm"));
+  CHECK(complains("0\t1\tnormal feed=0\n", 1, "feed"));
+  CHECK(complains("0\t1\tnormal feed=301\n", 1, "feed"));
+  CHECK(complains("0\t1\tnormal percussion=high\n", 1, "percussion"));
   CHECK(complains("0\t1\tnormal rock=\n", 1, "rock"));
   CHECK(complains("0\t1\tnormal rock=../x\n", 1, "rock"));
   CHECK(complains("\n3\t2\tnormal\n", 2, "end"));

@@ -9,6 +9,8 @@
 #include "analysis/noise.hpp"
 #include "rigsound/analysis/recording.hpp"
 #include "simulate/drillbench_clip.hpp"
+#include "simulate/drilling_recording.hpp"
+#include "spectrum/stft.hpp"
 #include "temporary_folder.hpp"
 
 using namespace rigsound::analysis;
@@ -173,6 +175,50 @@ TEST_CASE("a dump holds what every step made, the last one's drilling being the 
     CHECK_MESSAGE(std::filesystem::exists(folder.path / name), name);
   CHECK(si_sdr(result.drilling, read_recording(folder.path / "pass2_drilling.wav").mono) > 100);
   CHECK(si_sdr(result.drilling, read_recording(folder.path / "blind_drilling.wav").mono) < 30);
+}
+
+TEST_CASE(
+    "a stretch cut out of drilling decays as the drilling does, though it begins with other clicks' tails") {
+  const DrillingLaws laws(6);
+  for (const double feed_bar : {40.0, 65.0, 150.0}) {
+    DrillingCourse course;
+    course.seconds = 8;
+    course.start_feed_bar = course.end_feed_bar = feed_bar;
+    const DrillingRecording r = simulate_drilling(course, laws, {6, 0});
+    const int first = 3 * 48000, last = first + 3 * 48000;
+    ChainOptions clean;
+    clean.denoise = false;
+    const ClickTrain found = run_chain({r.clean.begin() + first, r.clean.begin() + last}, clean).clicks;
+    const auto inside = std::count_if(r.clicks.begin(), r.clicks.end(),
+                                      [&](const SimulatedClick& c) { return c.P >= first && c.P < last; });
+    INFO(feed_bar, " bar");
+    CHECK(found.envelope.decay == doctest::Approx(laws.at(feed_bar, 1).decay).epsilon(0.05));
+    CHECK(std::abs(static_cast<long>(found.P.size()) - inside) <= 1);
+  }
+}
+
+TEST_CASE("the modelled powers are shares of what was recorded, and the drilling's is its true one") {
+  const DrillingLaws laws(6);
+  DrillingCourse course;
+  course.seconds = 8, course.snr_db = 6;
+  course.start_feed_bar = course.end_feed_bar = 150;
+  const DrillingRecording r = simulate_drilling(course, laws, {6, 0});
+  std::vector<float> mix, clean;
+  for (int n = 2 * 48000; n < 5 * 48000; ++n) {
+    mix.push_back(static_cast<float>(r.clean[n] + r.background[n]));
+    clean.push_back(static_cast<float>(r.clean[n]));
+  }
+  const ChainResult result = run_chain(mix, {});
+  const auto power = [](const std::vector<float>& x) {
+    return stft(x, kChainStft).abs2().cast<double>().rowwise().mean().eval();
+  };
+  const Eigen::ArrayXd recorded = power(mix), drilled = power(clean);
+  double worst_db = 0;
+  for (int k = 5; k < 200; ++k) {
+    CHECK(result.signal_psd[k] + result.noise_psd[k] == doctest::Approx(recorded(k)).epsilon(0.01));
+    worst_db = std::max(worst_db, std::fabs(10 * std::log10(result.signal_psd[k] / drilled(k))));
+  }
+  CHECK(worst_db < 1);
 }
 
 TEST_CASE("noise, a rotary drill, a voice, music and a drum machine are no drilling") {

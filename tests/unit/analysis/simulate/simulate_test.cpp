@@ -1,9 +1,13 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <utility>
 
+#include "bank/third_octave.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "simulate/drillbench_clip.hpp"
+#include "simulate/drilling_click.hpp"
+#include "simulate/drilling_recording.hpp"
 #include "simulate/situation_recording.hpp"
 #include "simulate/split_mix.hpp"
 
@@ -108,20 +112,114 @@ TEST_CASE("situations differ as the design says") {
   CHECK(normal.rate_hz <= 45);
   CHECK(closed.rate_hz >= 18);
   CHECK(closed.rate_hz <= 25);
-  CHECK(over.rate_hz < normal.rate_hz);
-  CHECK(under.envelope.attack_samples > 2 * normal.envelope.attack_samples);
-  CHECK(brightness(under.clean) < brightness(normal.clean));
-  CHECK(brightness(over.clean) < brightness(normal.clean));
+  // Pressed too hard: 3 to 8 % slower, steadier, short and dull.
+  CHECK(over.rate_hz > 0.92 * normal.rate_hz);
+  CHECK(over.rate_hz < 0.97 * normal.rate_hz);
+  CHECK(over.process.jitter < 0.5 * normal.process.jitter);
+  CHECK(over.process.amplitude_cv < 0.5 * normal.process.amplitude_cv);
+  CHECK(over.envelope.decay > 1.5 * normal.envelope.decay);
+  CHECK(brightness(over.clean) < 0.6 * brightness(normal.clean));
+  // Hardly pressed: irregular, 10 to 15 % missing, long and bright.
+  CHECK(under.process.jitter > 1.5 * normal.process.jitter);
+  CHECK(under.process.amplitude_cv > 1.5 * normal.process.amplitude_cv);
+  CHECK(under.envelope.decay < 0.7 * normal.envelope.decay);
+  CHECK(brightness(under.clean) > 1.3 * brightness(normal.clean));
+  const double expected = 6 * under.rate_hz;
+  CHECK(static_cast<double>(under.clicks.size()) < 0.93 * expected);
+  CHECK(static_cast<double>(under.clicks.size()) > 0.80 * expected);
+
   CHECK(brightness(open.clean) > 1.4 * brightness(normal.clean));
   for (const SimulatedPart& burst : open.parts) {
     CHECK(burst.end - burst.start >= 0.45);
     CHECK(burst.end - burst.start <= 1.5);
   }
   CHECK(rms(open.clean) > rms(normal.clean));
-  const double expected = 6 * under.rate_hz;
-  CHECK(static_cast<double>(under.clicks.size()) < 0.93 * expected);
   for (const SimulatedClick& c : normal.clicks) {
     CHECK(c.P >= kAnalysisRate);
     CHECK(c.P < 7 * kAnalysisRate);
   }
+}
+
+namespace {
+
+/// Third-octave distance of 1: the whole difference, and 2: what is left without that of the levels.
+std::pair<double, double> distances_db(const std::vector<double>& a, const std::vector<double>& b) {
+  const auto levels = [](const std::vector<double>& x) {
+    return third_octave_levels(std::vector<float>(x.begin(), x.end()));
+  };
+  const BandLevels first = levels(a), second = levels(b);
+  return {mean_difference_db(first, second, 200, Difference::kAbsolute),
+          mean_difference_db(first, second, 200, Difference::kCentred)};
+}
+
+std::vector<double> recorded(const SituationRecording& r) {
+  std::vector<double> x = r.clean;
+  for (std::size_t n = 0; n < x.size(); ++n) x[n] += r.background[n];
+  return x;
+}
+
+}  // namespace
+
+TEST_CASE("any two situations are 3 dB of third-octave levels or 5 % of rate apart, background and all") {
+  for (const std::uint64_t seed : {1, 8}) {
+    std::vector<SituationRecording> all;
+    for (int i = 0; i < kSituationCount; ++i)
+      all.push_back(simulate_situation(static_cast<Situation>(i), seed, 6));
+    for (const SituationRecording& a : all)
+      for (const SituationRecording& b : all) {
+        if (&a == &b) continue;
+        const auto [absolute, centred] = distances_db(recorded(a), recorded(b));
+        const double rates = std::fabs(std::log(a.rate_hz / b.rate_hz));
+        INFO(name(a.situation), " and ", name(b.situation), ": ", absolute, " dB, ", centred, " dB, rate ",
+             rates);
+        CHECK((absolute >= 3 || rates >= 0.05));
+        CHECK((centred >= 3 || rates >= 0.05));
+      }
+  }
+}
+
+TEST_CASE("along the feed the clicks follow the laws: norm, spacing and decay, rods shift them") {
+  const DrillingLaws laws(5);
+  const auto made = [&](double feed_bar, int rods) {
+    DrillingCourse course;
+    course.start_feed_bar = course.end_feed_bar = feed_bar;
+    course.rods = rods, course.seconds = 12;
+    return simulate_drilling(course, laws, {5, 0});
+  };
+  for (const double feed : {40.0, 90.0, 165.0})
+    for (const int rods : {1, 3}) {
+      const DrillingPoint p = laws.at(feed, rods);
+      const DrillingRecording r = made(feed, rods);
+      const double drilled_s = 10, made_hz = static_cast<double>(r.clicks.size()) / drilled_s;
+      const double chance =
+          4 * std::sqrt(p.miss_share * (1 - p.miss_share) / static_cast<double>(r.clicks.size()));
+      CHECK(made_hz == doctest::Approx(p.rate_hz * (1 - p.miss_share)).epsilon(chance + 0.01));
+      const double mean_square =
+          p.norm * p.norm * (1 + p.norm_variation * p.norm_variation) * made_hz / 48000;
+      CHECK(rms(r.clean) * std::sqrt(12 / drilled_s) ==
+            doctest::Approx(std::sqrt(mean_square)).epsilon(0.03));
+    }
+  // The slopes are those of the points.
+  const FeedLaws slopes = DrillingLaws::slopes();
+  const DrillingPoint a = laws.at(60, 1), b = laws.at(100, 1);
+  CHECK(std::log(a.rate_hz / b.rate_hz) / 40 == doctest::Approx(slopes.ln_gap));
+  CHECK(std::log(b.norm / a.norm) / 40 == doctest::Approx(slopes.ln_level));
+  CHECK(std::log(b.decay / a.decay) / 40 == doctest::Approx(slopes.ln_decay));
+  CHECK(brightness_hz(a, 1) > 1.2 * brightness_hz(b, 1));
+  CHECK(a.miss_share > b.miss_share);
+}
+
+TEST_CASE("a click of the drill has norm one and decays as its law says") {
+  const DrillingPoint p = DrillingLaws(1).at(120, 1);
+  DrillingClicks clicks(1, 3, 4);
+  // Mean energies of 200 clicks in two windows of 5 ms, 15 ms apart.
+  double early = 0, late = 0, energy = 0;
+  for (int i = 0; i < 200; ++i) {
+    const std::vector<double> click = clicks.draw(p);
+    for (std::size_t n = 240; n < 480; ++n) early += click[n] * click[n];
+    for (std::size_t n = 960; n < 1200; ++n) late += click[n] * click[n];
+    for (const double v : click) energy += v * v;
+  }
+  CHECK(energy == doctest::Approx(200));
+  CHECK(std::log(early / late) / 2 / 720 == doctest::Approx(p.decay).epsilon(0.02));
 }
