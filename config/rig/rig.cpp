@@ -205,6 +205,8 @@ Rig parse_rig(std::string_view text, const std::filesystem::path& file, Buses bu
   return rig;
 }
 
+log::Buses buses_of(const Rig& rig) { return {rig.can, rig.modbus, rig.udp}; }
+
 std::string signal_label(const Rig& rig, SignalId id) {
   std::string name(info(id.signal).name);
   if (id.boom == 0 || id.boom >= rig.engine.booms.size()) return name;

@@ -72,7 +72,7 @@ void print(const std::string& csv) { std::fwrite(csv.data(), 1, csv.size(), stdo
 void decode_log(const Options& options) {
   const config::Rig rig = config::load_rig(options.rig);
   const std::unique_ptr<log::BusLog> log =
-      log::open_log(options.log.log, {rig.can, rig.modbus, rig.udp}, log_options(options.log));
+      log::open_log(options.log.log, config::buses_of(rig), log_options(options.log));
   LogRows rows(rig);  // printed whole or not at all
   const SignalBoard board = log::trace_changes(*log, rig.safety, watched(rig),
                                                [&](const log::Change& change) { rows.add(change); });

@@ -77,7 +77,7 @@ void render_states(const Options& options) {
 void render_log(const Options& options) {
   config::Rig rig = rig_of(options, config::Buses::kRead);
   const std::unique_ptr<log::BusLog> log =
-      log::open_log(options.log.log, {rig.can, rig.modbus, rig.udp}, log_options(options.log));
+      log::open_log(options.log.log, config::buses_of(rig), log_options(options.log));
   session::LogStates states(*log, rig.safety, rig.engine);
   render(rig, states, audio::SampleFormat::kFloat, options);
   print_log_notes(options.log.log, *log);

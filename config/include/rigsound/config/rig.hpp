@@ -11,6 +11,7 @@
 #include "rigsound/can/can_options.hpp"
 #include "rigsound/config/packed_set.hpp"
 #include "rigsound/engine.hpp"
+#include "rigsound/log/bus_log.hpp"
 #include "rigsound/machine/signal_board.hpp"
 #include "rigsound/modbus/modbus_options.hpp"
 #include "rigsound/udp/udp_options.hpp"
@@ -72,6 +73,9 @@ Rig rig_of(const PackedSet& set, const std::filesystem::path& file);
 /// The engine of the rig with the sounds of load_sounds. Errors: InputError naming the sound set when the
 /// engine cannot play it. Thread: OFF.
 Engine build_engine(const Rig& rig, SoundSet sounds);
+
+/// The buses of the rig, for reading a log of them.
+log::Buses buses_of(const Rig& rig);
 
 /// "engine_rpm", "feed_pressure_bar" of the first boom, "NAME.feed_pressure_bar" of another.
 std::string signal_label(const Rig& rig, SignalId id);
