@@ -14,8 +14,8 @@ struct Probed {
   std::string problem;               ///< why not
 };
 
-/// Reads each route once, by itself, in the order of the routes. Errors: DeviceError when the device cannot be
-/// reached. Thread: OFF.
+/// Reads each route once, by itself, in the order of the routes. Errors: DeviceError when the device cannot
+/// be reached. Thread: OFF.
 std::vector<Probed> probe(const ModbusOptions& options);
 
 }  // namespace rigsound::modbus

@@ -180,7 +180,8 @@ TEST_CASE("Pauses are kept after connecting and between requests") {
   Client client({options}, told, nullptr);
   const auto start = std::chrono::steady_clock::now();
   while (told.total() < 4) client.step();
-  CHECK(std::chrono::steady_clock::now() - start >= std::chrono::milliseconds(4 * 49));  // kept to the millisecond
+  CHECK(std::chrono::steady_clock::now() - start >=
+        std::chrono::milliseconds(4 * 49));  // kept to the millisecond
 }
 
 TEST_CASE("A probe reads each signal by itself, or says why it cannot be read") {
