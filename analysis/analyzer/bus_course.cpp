@@ -11,7 +11,7 @@ namespace rigsound::analysis {
 namespace {
 
 bool said(const SignalBoard& board, Signal signal) {
-  return board.entry({signal, 0}).validity != Validity::kNeverSeen;
+  return board.entry({signal, 0}).ever_good();
 }
 
 BusMoment moment_of(const MachineState& state, const SignalBoard& board, const scene::FeedRule& rule) {
