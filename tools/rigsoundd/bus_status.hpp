@@ -20,6 +20,8 @@ class BusStatus {
   std::string last_problem() const;  ///< empty while all is well
 
  private:
+  std::string without_name(const std::string& text) const;
+
   std::string name_;
   mutable std::mutex mutex_;
   bool up_ = false;
