@@ -208,6 +208,10 @@ Option Option::separated_by_commas() {
   option_->delimiter(',');
   return *this;
 }
+Option Option::repeatable() {
+  option_->allow_extra_args(false);
+  return *this;
+}
 Option Option::count(int values) {
   option_->expected(values);
   return *this;

@@ -9,9 +9,11 @@
 
 #include "rigsound/audio/audio_options.hpp"
 #include "rigsound/can/can_options.hpp"
+#include "rigsound/config/packed_set.hpp"
 #include "rigsound/engine.hpp"
 #include "rigsound/machine/signal_board.hpp"
 #include "rigsound/modbus/modbus_options.hpp"
+#include "rigsound/udp/udp_options.hpp"
 
 namespace rigsound::config {
 
@@ -31,14 +33,17 @@ struct Rig {
   std::filesystem::path file;
   audio::AudioOptions audio;
   EngineOptions engine;                 ///< BoomOptions::tool is filled in by load_sounds
-  std::filesystem::path sound_set;      ///< empty when the rig names none
+  std::filesystem::path sound_set;      ///< folder or packed file; empty when the rig names none
   int sound_set_line = 0;               ///< of the rig file, for messages
   std::vector<std::string> boom_tools;  ///< names, one a boom; empty: none that rings
   std::vector<int> boom_tool_lines;
   SafetyOptions safety;
   std::vector<can::CanOptions> can;
   std::vector<modbus::ModbusOptions> modbus;
+  std::vector<udp::UdpOptions> udp;
   ControlOptions control;
+  std::vector<std::string>
+      doubts;  ///< what is probably a mistake, `FILE:LINE: KEY: what is odd, what was meant?`
 };
 
 /// Whether a rig's buses, and the files they name, are wanted at all.
@@ -56,6 +61,13 @@ Rig parse_rig(std::string_view text, const std::filesystem::path& file, Buses bu
 /// background gets the built-in diesel: a rig whose engine runs is never silent.
 /// Errors: InputError, also when the rig names no sound set. Thread: OFF.
 SoundSet load_sounds(Rig& rig);
+
+/// The same of a set that is read already.
+SoundSet sounds_of(Rig& rig, const SoundSetParts& parts);
+
+/// The rig that a set was packed with, as its rig file would give it, without buses. `file` is for messages.
+/// Errors: InputError when it was packed without one. Thread: OFF.
+Rig rig_of(const PackedSet& set, const std::filesystem::path& file);
 
 /// The engine of the rig with the sounds of load_sounds. Errors: InputError naming the sound set when the
 /// engine cannot play it. Thread: OFF.

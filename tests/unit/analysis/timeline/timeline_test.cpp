@@ -194,10 +194,10 @@ TEST_CASE("an input is never written over, and what is no sound is refused") {
   const std::string before = test::content(render.sound);
   CHECK(complaint([&] {
           write_timeline(render.sound, render.sound, render.states, {});
-        }).find("is an input") != std::string::npos);
+        }).find("is read as well as written") != std::string::npos);
   CHECK(complaint([&] {
           write_timeline(render.states, render.sound, render.states, {});
-        }).find("is an input") != std::string::npos);
+        }).find("is read as well as written") != std::string::npos);
   CHECK(test::content(render.sound) == before);
   CHECK(test::content(render.states) == kStates);
   CHECK(complaint([&] {

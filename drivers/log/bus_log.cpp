@@ -1,0 +1,10 @@
+#include "rigsound/log/bus_log.hpp"
+
+namespace rigsound::log {
+
+std::string seconds_text(double seconds) {
+  const auto tenths = static_cast<std::int64_t>(seconds * 10 + 0.5);
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
+}
+
+}  // namespace rigsound::log
