@@ -13,6 +13,11 @@ constexpr std::int64_t kInterval_ms = 60'000;
 
 }  // namespace
 
+/// A driver's error names its device first, which whoever shows it has named already.
+std::string BusStatus::without_name(const std::string& text) const {
+  return text.rfind(name_ + ": ", 0) == 0 ? text.substr(name_.size() + 2) : text;
+}
+
 void BusStatus::up() {
   const Lock lock(mutex_);
   up_ = true;
@@ -24,7 +29,7 @@ void BusStatus::up() {
 void BusStatus::down(const std::string& why) {
   const Lock lock(mutex_);
   up_ = false;
-  problem_ = why;
+  problem_ = without_name(why);
   ++changes_;
   log_change(monotonic_ms());
 }
@@ -44,8 +49,8 @@ void BusStatus::log_change(std::int64_t now_ms) {
 
 void BusStatus::notice(const std::string& text) {
   const Lock lock(mutex_);
-  if (!up_) problem_ = text;
-  log_warning(name_ + ": " + text);
+  if (!up_) problem_ = without_name(text);
+  log_warning(name_ + ": " + without_name(text));
 }
 
 bool BusStatus::is_up() const {

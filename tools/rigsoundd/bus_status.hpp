@@ -22,6 +22,8 @@ class BusStatus {
   std::string last_problem() const;  ///< empty while all is well
 
  private:
+  std::string without_name(const std::string& text) const;
+
   std::string name_;
   mutable std::mutex mutex_;
   void log_change(std::int64_t now_ms);
