@@ -8,7 +8,10 @@
 #include "drill/drill_layer.hpp"
 #include "engine_check.hpp"
 #include "impact/impact_train.hpp"
+#include "impact/rate_counter.hpp"
+#include "mix/level_meter.hpp"
 #include "mix/mixer.hpp"
+#include "rigsound/dsp/elementary.hpp"
 #include "rigsound/machine/state_guard.hpp"
 #include "scene/boom_scene.hpp"
 #include "scene/rig_scene.hpp"
@@ -21,7 +24,12 @@ namespace {
 /// One drill: its scene, its impacts, and the layers that hear them.
 struct Boom {
   Boom(const EngineOptions& options, const SoundSet& sounds, int index)
-      : scene(options, sounds, index), train(options.seed, index), drill(options.seed, index) {
+      : scene(options, sounds, index),
+        train(options.seed, index),
+        drill(options.seed, index),
+        drill_gain(dsp::gain_of_db(options.mix.drill_db + options.booms[index].gain_db)),
+        tool_gain(dsp::gain_of_db(options.mix.tool_db + options.booms[index].gain_db)),
+        made(options.sample_rate) {
     const BoomOptions& boom = options.booms[index];
     if (boom.tool >= 0) tool.emplace(sounds.tools[boom.tool], options.sample_rate, options.seed, index);
     if (boom.drill_string >= 0)
@@ -35,6 +43,17 @@ struct Boom {
     std::fill(tool_bus, tool_bus + kChunk, 0.0);
     if (tool) tool->process(scene.tool(), train.impacts(), tool_bus);
     if (rods) rods->process(scene.rods(), train.impacts(), tool_bus);
+    made.add(train.impacts().count);
+    drill_meter.add(drill_bus, kChunk);
+    if (tool || rods) tool_meter.add(tool_bus, kChunk);
+  }
+
+  /// Of a block of `frames`.
+  void describe(int frames, BoomView& view) noexcept {
+    scene.describe(view);
+    view.impacts_made_hz = static_cast<float>(made.rate_hz());
+    view.drill = drill_meter.take(drill_gain, frames);
+    view.tool = tool_meter.take(tool_gain, frames);
   }
 
   scene::BoomScene scene;
@@ -42,6 +61,10 @@ struct Boom {
   drill::DrillLayer drill;
   std::optional<tool::ToolLayer> tool;      ///< a bar,
   std::optional<string::StringLayer> rods;  ///< or a drill string
+
+  double drill_gain, tool_gain;
+  impact::RateCounter made;
+  mix::LevelMeter drill_meter, tool_meter;
 };
 
 /// Everything that changes while the engine plays; copied to begin anew. No copy of a copy allocates.
@@ -49,7 +72,8 @@ struct Playing {
   Playing(const EngineOptions& options, const SoundSet& sounds)
       : rig(options),
         diesel(sounds.diesels, options.sample_rate, options.seed, options.scene.idle_rpm),
-        mixer(options) {
+        mixer(options),
+        diesel_gain(dsp::gain_of_db(options.mix.diesel_db)) {
     for (int b = 0; b < static_cast<int>(options.booms.size()); ++b) booms.emplace_back(options, sounds, b);
   }
 
@@ -59,6 +83,9 @@ struct Playing {
   std::vector<Boom> booms;
   diesel::DieselLayer diesel;
   mix::Mixer mixer;
+
+  double diesel_gain;
+  mix::LevelMeter diesel_meter;
 };
 
 void Playing::set(const MachineState& state) noexcept {
@@ -79,6 +106,7 @@ struct Engine::Parts {
   void set(const MachineState& state) noexcept;
   void process_chunk(float* out) noexcept;
   void measure(const float* out) noexcept;
+  void describe() noexcept;
 
   EngineOptions options;
   SoundSet sounds;
@@ -88,6 +116,7 @@ struct Engine::Parts {
   bool told = false, begun = false;
   mix::Buses buses{};
   EngineMeters meters;
+  EngineView view;
 };
 
 void Engine::Parts::set(const MachineState& next) noexcept {
@@ -113,22 +142,27 @@ void Engine::Parts::process_chunk(float* out) noexcept {
   for (std::size_t b = 0; b < p.booms.size(); ++b) p.booms[b].process(buses.drill[b], buses.tool[b]);
   p.rig.advance();
   p.diesel.process(p.rig.diesel(), buses.diesel);
+  p.diesel_meter.add(buses.diesel, kChunk);
   p.mixer.process(buses, p.rig.gain(), out);
   meters.limiter_gain = std::min(meters.limiter_gain, static_cast<float>(p.mixer.lowest_gain()));
 }
 
 void Engine::Parts::measure(const float* out) noexcept {
   const int samples = options.block * options.channels;
-  float peak = 0;
-  double energy = 0;
-  for (int n = 0; n < samples; ++n) {
-    peak = std::max(peak, std::fabs(out[n]));
-    energy += static_cast<double>(out[n]) * static_cast<double>(out[n]);
-  }
-  meters.peak = peak;
-  meters.rms = static_cast<float>(std::sqrt(energy / samples));
+  mix::LevelMeter meter;
+  meter.add(out, samples);
+  const LayerLevel level = meter.take(1, samples);
+  meters.peak = level.peak;
+  meters.rms = level.rms;
   meters.lost_clicks = 0;
   for (const Boom& boom : playing.booms) meters.lost_clicks += boom.drill.lost();
+}
+
+void Engine::Parts::describe() noexcept {
+  for (std::size_t b = 0; b < playing.booms.size(); ++b)
+    playing.booms[b].describe(options.block, view.boom[b]);
+  view.diesel = playing.diesel_meter.take(playing.diesel_gain, options.block);
+  view.stands_still = playing.rig.stands_still();
 }
 
 Engine::Engine(const EngineOptions& options, SoundSet sounds) {
@@ -145,9 +179,11 @@ void Engine::process(const MachineState& state, float* out) noexcept {
   p.meters.limiter_gain = 1;
   for (int n = 0; n < p.options.block; n += kChunk) p.process_chunk(out + n * p.options.channels);
   p.measure(out);
+  p.describe();
 }
 
 EngineMeters Engine::meters() const noexcept { return parts_->meters; }
+const EngineView& Engine::view() const noexcept { return parts_->view; }
 const EngineOptions& Engine::options() const noexcept { return parts_->options; }
 
 }  // namespace rigsound

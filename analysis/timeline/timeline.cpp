@@ -12,6 +12,7 @@
 #include "chart/situation_colours.hpp"
 #include "chart/spectrum_palette.hpp"
 #include "rigsound/file/atomic_file.hpp"
+#include "rigsound/file/read_files.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "rigsound/session/state_table.hpp"
 #include "timeline/activity.hpp"
@@ -318,18 +319,11 @@ void Drawing::draw_spectrogram() {
   plot.finish();
 }
 
-void require_other_file(const std::filesystem::path& picture, const std::filesystem::path& input) {
-  std::error_code missing;
-  if (std::filesystem::equivalent(picture, input, missing) && !missing)
-    throw InputError(picture.string(), "is an input, expected another file to write");
-}
-
 }  // namespace
 
 void write_timeline(const std::filesystem::path& picture, const std::filesystem::path& sound,
                     const std::filesystem::path& states, const TimelineOptions& options) {
-  require_other_file(picture, sound);
-  require_other_file(picture, states);
+  require_not_read(picture, {sound, states});
   const session::StateTable table = session::read_states(states);
   const SoundFile heard = read_sound(sound);
   Drawing drawing(heard, table, options);

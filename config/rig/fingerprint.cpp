@@ -69,16 +69,22 @@ void add_options(const Rig& rig, Print& print) {
     print.add(rig.boom_tools[b]);
 }
 
+void add_content(const fs::path& file, Print& print) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw InputError(file.string(), "cannot be read");
+  print.add(std::string(std::istreambuf_iterator<char>(in), {}));
+}
+
+/// Of a folder, or of one packed file.
 void add_files(const fs::path& folder, Print& print) {
+  if (fs::is_regular_file(folder)) return add_content(folder, print);
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file()) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   for (const fs::path& file : files) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) throw InputError(file.string(), "cannot be read");
     print.add(fs::relative(file, folder).string());
-    print.add(std::string(std::istreambuf_iterator<char>(in), {}));
+    add_content(file, print);
   }
 }
 

@@ -5,8 +5,6 @@
 #include <stdexcept>
 
 #include "rig/sections.hpp"
-#include "rigsound/config/sound_set_files.hpp"
-#include "rigsound/default_diesel.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "text/read_text.hpp"
 
@@ -148,6 +146,18 @@ void take_bus(Read read, std::vector<Options>& buses, std::vector<std::string>& 
   doubts.insert(doubts.end(), read.doubts.begin(), read.doubts.end());
 }
 
+void read_buses(TomlTable& root, const std::filesystem::path& folder, Rig& rig) {
+  for (TomlTable& table : root.tables("can"))
+    take_bus(read_can(table, folder, rig.engine.booms), rig.can, rig.doubts);
+  for (TomlTable& table : root.tables("modbus"))
+    take_bus(read_modbus(table, rig.engine.booms), rig.modbus, rig.doubts);
+  for (TomlTable& table : root.tables("udp")) {
+    rig.udp.push_back(read_udp(table, free_signals(rig)));
+    if (rig.udp.back().routes.empty())
+      table.fail("signals", "there is none left that no other bus delivers, expected one or more");
+  }
+}
+
 /// What the engine would refuse is refused where the file says it.
 void require_playable(const Rig& rig, const TomlTable& root) {
   try {
@@ -159,9 +169,11 @@ void require_playable(const Rig& rig, const TomlTable& root) {
 
 }  // namespace
 
-Rig load_rig(const std::filesystem::path& file) { return parse_rig(read_text(file), file); }
+Rig load_rig(const std::filesystem::path& file, Buses buses) {
+  return parse_rig(read_text(file), file, buses);
+}
 
-Rig parse_rig(std::string_view text, const std::filesystem::path& file) {
+Rig parse_rig(std::string_view text, const std::filesystem::path& file, Buses buses) {
   TomlTable root = TomlTable::parse(text, file.string());
   const std::filesystem::path folder = file.parent_path();
   Rig rig;
@@ -178,15 +190,10 @@ Rig parse_rig(std::string_view text, const std::filesystem::path& file) {
   rig.engine.scene = read_scene(root.table("scene"));
   rig.engine.mix = read_mix(root.table("mix"));
   require_playable(rig, root);
-  for (TomlTable& table : root.tables("can"))
-    take_bus(read_can(table, folder, rig.engine.booms), rig.can, rig.doubts);
-  for (TomlTable& table : root.tables("modbus"))
-    take_bus(read_modbus(table, rig.engine.booms), rig.modbus, rig.doubts);
-  for (TomlTable& table : root.tables("udp")) {
-    rig.udp.push_back(read_udp(table, free_signals(rig)));
-    if (rig.udp.back().routes.empty())
-      table.fail("signals", "there is none left that no other bus delivers, expected one or more");
-  }
+  if (buses == Buses::kRead)
+    read_buses(root, folder, rig);
+  else
+    for (const char* section : {"can", "modbus", "udp"}) root.expect(section);
   rig.safety = read_safety(root.table("safety"), stale_defaults(rig));
   set_down_ages(rig);
   rig.safety.idle_rpm = rig.engine.scene.idle_rpm;
@@ -196,56 +203,6 @@ Rig parse_rig(std::string_view text, const std::filesystem::path& file) {
   require_own_lines(rig, root);
   require_one_source(rig, root);
   return rig;
-}
-
-namespace {
-
-template <class Model>
-int index_of(const std::vector<Model>& models, const std::string& name) {
-  for (std::size_t i = 0; i < models.size(); ++i)
-    if (models[i].name == name) return static_cast<int>(i);
-  return -1;
-}
-
-std::string steel_names(const SoundSet& sounds) {
-  std::string names;
-  for (const ToolModel& tool : sounds.tools) names += (names.empty() ? "" : ", ") + tool.name;
-  for (const StringModel& string : sounds.strings) names += (names.empty() ? "" : ", ") + string.name;
-  return names.empty() ? "none" : names;
-}
-
-}  // namespace
-
-SoundSet load_sounds(Rig& rig) {
-  if (rig.sound_set.empty())
-    throw InputError(rig.file.string(), rig.sound_set_line, "sound.set",
-                     "is missing, expected the folder of a sound set");
-  std::error_code error;
-  if (!std::filesystem::is_directory(rig.sound_set, error))
-    throw InputError(rig.file.string(), rig.sound_set_line, "sound.set",
-                     "there is no folder " + rig.sound_set.string() + ", expected a sound set");
-  SoundSet sounds = load_sound_set(rig.sound_set, rig.audio.rate);
-  for (std::size_t i = 0; i < rig.boom_tools.size(); ++i) {
-    const std::string& wanted = rig.boom_tools[i];
-    if (wanted.empty()) continue;
-    BoomOptions& boom = rig.engine.booms[i];
-    boom.tool = index_of(sounds.tools, wanted);
-    boom.drill_string = index_of(sounds.strings, wanted);
-    if (boom.tool < 0 && boom.drill_string < 0)
-      throw InputError(rig.file.string(), rig.boom_tool_lines[i], "boom.tool",
-                       "the sound set " + rig.sound_set.string() + " has no tool '" + wanted +
-                           "', expected one of " + steel_names(sounds));
-  }
-  if (sounds.diesels.empty()) sounds.diesels.push_back(default_diesel());
-  return sounds;
-}
-
-Engine build_engine(const Rig& rig, SoundSet sounds) {
-  try {
-    return Engine(rig.engine, std::move(sounds));
-  } catch (const std::invalid_argument& error) {
-    throw InputError(rig.sound_set.string(), std::string("cannot be played: ") + error.what());
-  }
 }
 
 std::string signal_label(const Rig& rig, SignalId id) {

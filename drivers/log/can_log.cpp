@@ -124,7 +124,7 @@ void CanLog::take_frame(SignalBoard& board, std::vector<Reading>& readings) {
   }
   bus->second.sources->add(pending_->frame);
   bool good = false;
-  for (const Reading& reading : readings) good = take(reading, board) || good;
+  for (const Reading& reading : readings) good = board.take(reading) == Validity::kValid || good;
   used_ += good ? 1 : 0;
 }
 

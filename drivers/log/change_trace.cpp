@@ -39,8 +39,8 @@ class Watch {
 
 }  // namespace
 
-void trace_changes(BusLog& log, const SafetyOptions& safety, const std::vector<SignalId>& watched,
-                   const std::function<void(const Change&)>& report) {
+SignalBoard trace_changes(BusLog& log, const SafetyOptions& safety, const std::vector<SignalId>& watched,
+                          const std::function<void(const Change&)>& report) {
   Watch watch(safety, watched, report);
   double now_s = 0;
   while (const auto next_s = log.next_s()) {
@@ -49,6 +49,7 @@ void trace_changes(BusLog& log, const SafetyOptions& safety, const std::vector<S
     log.read_until(now_s, watch.board());
     watch.compare(now_s);
   }
+  return watch.board();
 }
 
 }  // namespace rigsound::log

@@ -208,7 +208,7 @@ bool ModbusLog::read_until(double until_s, SignalBoard& board) {
     readings.clear();
     for (std::size_t bus = 0; bus < buses_.size(); ++bus) read_for(bus, *pending_, time_s_, readings);
     bool good = false;
-    for (const Reading& reading : readings) good = take(reading, board) || good;
+    for (const Reading& reading : readings) good = board.take(reading) == Validity::kValid || good;
     used_ += good ? 1 : 0;
     told = told || !readings.empty();
     pending_.reset();

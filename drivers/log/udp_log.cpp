@@ -105,7 +105,7 @@ bool UdpLog::read_until(double until_s, SignalBoard& board) {
       continue;
     }
     bool good = false;
-    for (const Reading& reading : content->readings) good = take(reading, board) || good;
+    for (const Reading& reading : content->readings) good = board.take(reading) == Validity::kValid || good;
     used_ += good ? 1 : 0;
     told = told || !content->readings.empty();
   }

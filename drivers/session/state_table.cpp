@@ -4,9 +4,11 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <optional>
 
 #include "rigsound/machine/input_error.hpp"
 #include "rigsound/machine/limits.hpp"
+#include "rigsound/session/state_rows.hpp"
 
 namespace rigsound::session {
 namespace {
@@ -38,8 +40,8 @@ Signal signal_of(const std::string& name, const Line& line) {
 
 double value_of(Signal signal, const std::string& text, const Line& line) {
   const SignalInfo& known = info(signal);
-  for (double word = 0; !value_word(signal, word).empty(); ++word)
-    if (value_word(signal, word) == text) return word;
+  if (text == session::kAbsent) return known.absent;
+  if (const auto word = value_of_word(signal, text)) return *word;
   const auto value = number_in(text);
   if (value && (known.takes(*value) || *value == known.absent)) return *value;
   const std::string range = "a number from " + number_text(known.min) + " to " + number_text(known.max);
@@ -47,11 +49,14 @@ double value_of(Signal signal, const std::string& text, const Line& line) {
                             (known.words.empty() ? range : "one of " + std::string(known.words)));
 }
 
-/// "feed_pressure_bar" is the first boom's, "NAME.feed_pressure_bar" that of boom NAME.
-SignalId id_of(const std::string& label, std::vector<std::string>& booms, const Line& line) {
+/// "feed_pressure_bar" is the first boom's, "NAME.feed_pressure_bar" that of boom NAME. Nothing for a row of
+/// what follows from the signals, or was told beside them.
+std::optional<SignalId> id_of(const std::string& label, std::vector<std::string>& booms, const Line& line) {
   const std::size_t dot = label.rfind('.');
   const std::string boom = dot == std::string::npos ? "" : label.substr(0, dot);
-  const Signal signal = signal_of(dot == std::string::npos ? label : label.substr(dot + 1), line);
+  const std::string name = dot == std::string::npos ? label : label.substr(dot + 1);
+  if (session::is_side_row(name)) return std::nullopt;
+  const Signal signal = signal_of(name, line);
   auto known = std::find(booms.begin(), booms.end(), boom);
   if (known == booms.end()) {
     if (booms.size() == kMaxBooms)
@@ -59,18 +64,20 @@ SignalId id_of(const std::string& label, std::vector<std::string>& booms, const 
                               " at most");
     known = booms.insert(booms.end(), boom);
   }
-  return {signal, static_cast<std::uint8_t>(known - booms.begin())};
+  return SignalId{signal, static_cast<std::uint8_t>(known - booms.begin())};
 }
 
-StateChange change_of(const std::string& text, std::vector<std::string>& booms, const Line& line) {
+std::optional<StateChange> change_of(const std::string& text, std::vector<std::string>& booms,
+                                     const Line& line) {
   const std::size_t first = text.find(','), second = text.find(',', first + 1);
   if (first == std::string::npos || second == std::string::npos ||
       text.find(',', second + 1) != std::string::npos)
     line.fail("", "'" + text + "' is no row, expected " + kHeading);
   const auto time_s = number_in(text.substr(0, first));
   if (!time_s) line.fail("time_s", "'" + text.substr(0, first) + "' is no number, expected seconds");
-  const SignalId id = id_of(text.substr(first + 1, second - first - 1), booms, line);
-  return {*time_s, id, value_of(id.signal, text.substr(second + 1), line)};
+  const auto id = id_of(text.substr(first + 1, second - first - 1), booms, line);
+  if (!id) return std::nullopt;
+  return StateChange{*time_s, *id, value_of(id->signal, text.substr(second + 1), line)};
 }
 
 }  // namespace
@@ -95,10 +102,11 @@ StateTable read_states(const std::filesystem::path& file) {
       continue;
     }
     if (text.empty()) continue;
-    const StateChange change = change_of(text, table.booms, line);
-    if (!table.changes.empty() && change.time_s < table.changes.back().time_s)
+    const auto change = change_of(text, table.booms, line);
+    if (!change) continue;
+    if (!table.changes.empty() && change->time_s < table.changes.back().time_s)
       line.fail("time_s", "falls back, expected ascending times");
-    table.changes.push_back(change);
+    table.changes.push_back(*change);
   }
   if (table.changes.empty()) throw InputError(file.string(), "holds no row, expected at least one");
   return table;

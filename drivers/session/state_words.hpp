@@ -9,9 +9,10 @@
 namespace rigsound::session {
 
 #define RIGSOUND_ONE(...) +1  // NOLINT(bugprone-macro-parentheses): a term of a sum
-constexpr int kWordsPerBoom = 0 RIGSOUND_BOOM_SIGNALS(RIGSOUND_ONE) RIGSOUND_DRILL_CONTROLS(RIGSOUND_ONE);
+constexpr int kWordsPerBoom =
+    1 RIGSOUND_BOOM_SIGNALS(RIGSOUND_ONE) RIGSOUND_DRILL_CONTROLS(RIGSOUND_ONE);  // 1: by hand
 constexpr int kStateWords =
-    2 RIGSOUND_RIG_SIGNALS(RIGSOUND_ONE) + kMaxBooms * kWordsPerBoom;  // 2: slope, gain
+    3 RIGSOUND_RIG_SIGNALS(RIGSOUND_ONE) + kMaxBooms * kWordsPerBoom;  // 3: slope, gain, by hand
 #undef RIGSOUND_ONE
 using StateWords = std::array<std::uint32_t, kStateWords>;
 

@@ -2,14 +2,16 @@
 
 namespace rigsound::drill {
 
-void BankChoices::add(const ClickBank& bank, double share) noexcept {
-  if (share <= 0) return;
+int BankChoices::add(const ClickBank& bank, double share) noexcept {
+  if (share <= 0) return -1;
   for (int i = 0; i < count; ++i)
     if (choice[i].bank == &bank) {
       choice[i].share += share;
-      return;
+      return i;
     }
-  if (count < kMaxChoices) choice[count++] = {&bank, share};
+  if (count == kMaxChoices) return -1;
+  choice[count] = {&bank, share};
+  return count++;
 }
 
 const ClickBank& BankChoices::drawn(double uniform) const noexcept {

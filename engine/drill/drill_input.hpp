@@ -23,7 +23,8 @@ struct BankChoices {
   std::array<Choice, kMaxChoices> choice{};
   int count = 0;
 
-  void add(const ClickBank& bank, double share) noexcept;
+  /// Returns where it stands in `choice`; -1: nowhere, its share is 0 or every place is taken.
+  int add(const ClickBank& bank, double share) noexcept;
   /// The bank that a number drawn evenly from 0...1 falls on. Not to be asked of none.
   const ClickBank& drawn(double uniform) const noexcept;
 };

@@ -7,13 +7,14 @@ namespace {
 #define RIGSOUND_SAME_CONTROL(member, ...) &&a.controls.member == b.controls.member
 
 bool same(const BoomState& a, const BoomState& b) noexcept {
-  return true RIGSOUND_BOOM_SIGNALS(RIGSOUND_SAME_SIGNAL) RIGSOUND_DRILL_CONTROLS(RIGSOUND_SAME_CONTROL);
+  return a.by_hand == b.by_hand RIGSOUND_BOOM_SIGNALS(RIGSOUND_SAME_SIGNAL)
+                          RIGSOUND_DRILL_CONTROLS(RIGSOUND_SAME_CONTROL);
 }
 
 }  // namespace
 
 bool operator==(const MachineState& a, const MachineState& b) noexcept {
-  bool equal = a.engine_rpm_slope == b.engine_rpm_slope &&
+  bool equal = a.engine_rpm_slope == b.engine_rpm_slope && a.by_hand == b.by_hand &&
                a.output_gain == b.output_gain RIGSOUND_RIG_SIGNALS(RIGSOUND_SAME_SIGNAL);
   for (int i = 0; equal && i < kMaxBooms; ++i) equal = same(a.boom[i], b.boom[i]);
   return equal;

@@ -1,6 +1,7 @@
 #include "rigsound/machine/signal.hpp"
 
 #include <cmath>
+#include <iterator>
 
 namespace rigsound {
 namespace {
@@ -53,7 +54,30 @@ bool takes_number(SignalKind kind, double min, double max, double value) noexcep
   return (value >= min && value <= max) || (kind == SignalKind::kNumberOrZero && value == 0);
 }
 
+Range range_of(SignalKind kind, double min, double max, std::string_view unit) noexcept {
+  const Range range{min, max, unit.data()};
+  return kind == SignalKind::kNumberOrZero                         ? range.or_zero()
+         : kind == SignalKind::kWhole || kind == SignalKind::kWord ? range.whole()
+                                                                   : range;
+}
+
+/// Where the signals of a boom or of the rig that a user holds are marked.
+template <class State>
+auto& marks_of(State& state, SignalId id) noexcept {
+  static_assert(kSignalCount <= 32, "one bit each");
+  return info(id.signal).per_boom ? state.boom[id.boom].by_hand : state.by_hand;
+}
+std::uint32_t mark_of(SignalId id) noexcept { return std::uint32_t{1} << static_cast<int>(id.signal); }
+
 }  // namespace
+
+bool is_by_hand(const MachineState& state, SignalId id) noexcept {
+  return (marks_of(state, id) & mark_of(id)) != 0;
+}
+void mark_by_hand(MachineState& state, SignalId id) noexcept { marks_of(state, id) |= mark_of(id); }
+
+Range SignalInfo::range() const noexcept { return range_of(kind, min, max, unit); }
+Range ControlInfo::range() const noexcept { return range_of(kind, min, max, unit); }
 
 bool SignalInfo::takes(double value) const noexcept { return takes_number(kind, min, max, value); }
 bool ControlInfo::takes(double value) const noexcept { return takes_number(kind, min, max, value); }
@@ -79,9 +103,16 @@ std::optional<Signal> signal_by_name(std::string_view name) {
 }
 
 std::string_view name(Validity v) {
-  constexpr std::string_view kNames[] = {"never_seen",  "valid",         "stale",       "bus_down",
-                                         "error_value", "not_available", "out_of_range"};
+  constexpr std::string_view kNames[] = {"never_seen",  "valid",         "stale",        "bus_down",
+                                         "error_value", "not_available", "out_of_range", "manual"};
+  static_assert(std::size(kNames) == kValidityCount);
   return kNames[static_cast<std::size_t>(v)];
+}
+
+std::optional<double> value_of_word(Signal s, std::string_view word) {
+  for (double value = 0; !value_word(s, value).empty(); ++value)
+    if (value_word(s, value) == word) return value;
+  return std::nullopt;
 }
 
 std::string_view value_word(Signal s, double value) {

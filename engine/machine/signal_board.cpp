@@ -5,13 +5,27 @@
 
 namespace rigsound {
 
-const SignalBoard::Entry& SignalBoard::entry(SignalId id) const noexcept {
-  return entries_[static_cast<std::size_t>(id.signal)][std::min<int>(id.boom, kMaxBooms - 1)];
+namespace {
+
+template <class Entries>
+auto& entry_of(Entries& entries, SignalId id) noexcept {
+  return entries[static_cast<std::size_t>(id.signal)][std::min<int>(id.boom, kMaxBooms - 1)];
 }
 
+}  // namespace
+
+const SignalBoard::Entry& SignalBoard::entry(SignalId id) const noexcept { return entry_of(entries_, id); }
+
+void SignalBoard::hold(SignalId id, double value) noexcept {
+  Entry& entry = entry_of(entries_, id);
+  entry.by_hand = true;
+  entry.hand_value = value;
+}
+
+void SignalBoard::release(SignalId id) noexcept { entry_of(entries_, id).by_hand = false; }
+
 Validity SignalBoard::take(const Reading& reading) noexcept {
-  Entry& entry =
-      entries_[static_cast<std::size_t>(reading.id.signal)][std::min<int>(reading.id.boom, kMaxBooms - 1)];
+  Entry& entry = entry_of(entries_, reading.id);
   const SignalInfo& limits = info(reading.id.signal);
   Validity validity = reading.validity;
   double value = reading.value;
@@ -27,7 +41,10 @@ Validity SignalBoard::take(const Reading& reading) noexcept {
   }
   if (validity != Validity::kValid) {
     const bool told = validity != Validity::kBusDown && validity != Validity::kStale;
-    if (told) ++entry.refused;
+    if (told) {
+      ++entry.refused;
+      entry.last_refusal = validity;
+    }
     if (!entry.ever_good()) entry.value = limits.absent;
     if (entry.validity != Validity::kNeverSeen || told) entry.validity = validity;
     return validity;
@@ -41,6 +58,7 @@ Validity SignalBoard::take(const Reading& reading) noexcept {
 
 Validity SignalBoard::validity(SignalId id, const SafetyRule& rule, double now_s) const noexcept {
   const Entry& e = entry(id);
+  if (e.by_hand) return Validity::kManual;
   const bool old = rule.stale_after_s > 0 && now_s - e.seen_s > rule.stale_after_s;
   return e.validity == Validity::kValid && old ? Validity::kStale : e.validity;
 }

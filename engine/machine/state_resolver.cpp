@@ -33,7 +33,7 @@ double rest_value(Signal s, double last_good, const SafetyOptions& safety) noexc
 /// The bus says what was true at its message's time; the engine is told what is true now, and how it goes on.
 void set_speed(const SignalBoard& board, double now_s, double fallback_mix, MachineState& state) noexcept {
   const SignalBoard::Entry& entry = board.entry({Signal::kEngineRpm});
-  if (entry.validity == Validity::kNeverSeen) return;
+  if (entry.by_hand || entry.validity == Validity::kNeverSeen) return;
   const SpeedTrend speed = board.speed().at(now_s);
   state.engine_rpm += static_cast<float>((speed.rpm - entry.value) * (1 - fallback_mix));
   state.engine_rpm_slope = static_cast<float>(speed.slope * (1 - fallback_mix));
@@ -54,6 +54,7 @@ StateResolver::Standing StateResolver::resolve_signal(SignalId id, const SignalB
                                                       const SafetyOptions& safety, double now_s) noexcept {
   const SignalInfo& signal = info(id.signal);
   const SignalBoard::Entry& entry = board.entry(id);
+  if (entry.by_hand) return {entry.hand_value, 0};
   if (entry.validity == Validity::kNeverSeen) return {signal.absent, 0};
   const SafetyRule& rule = safety.rule[static_cast<std::size_t>(id.signal)];
   const bool good = believed(entry, board.validity(id, rule, now_s), rule, now_s);
@@ -81,6 +82,7 @@ MachineState StateResolver::resolve(const SignalBoard& board, const SafetyOption
     const Standing standing = resolve_signal(id, board, safety, now_s);
     value_[static_cast<std::size_t>(id.signal)][id.boom] = standing.value;
     info(id.signal).set(state, id.boom, standing.value);
+    if (board.entry(id).by_hand) mark_by_hand(state, id);
     if (id.signal == Signal::kEngineRpm) speed_mix = standing.fallback_mix;
   });
   set_speed(board, now_s, speed_mix, state);

@@ -14,13 +14,13 @@ int distance(const BankUse& use, int rods, int rock) noexcept {
   return by_rock + (use.rods == 0 ? 1 : difference);
 }
 
-const ClickBank* choose_bank(const SoundSet& sounds, Situation situation, int rods, int rock) noexcept {
+const BankUse* choose_bank(const SoundSet& sounds, Situation situation, int rods, int rock) noexcept {
   const BankUse* best = nullptr;
   for (const BankUse& use : sounds.uses) {
     if (use.situation != situation) continue;
     if (!best || distance(use, rods, rock) < distance(*best, rods, rock)) best = &use;
   }
-  return best ? &sounds.banks[static_cast<std::size_t>(best->bank)] : nullptr;
+  return best;
 }
 
 }  // namespace rigsound::scene

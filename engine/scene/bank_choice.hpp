@@ -12,6 +12,6 @@ int distance(const BankUse& use, int rods, int rock) noexcept;
 /// The use of `situation` whose rock matches (a use for any rock comes second, another rock last) and
 /// whose rod count is nearest (a use for any count ranks as one rod away). Null when the set has none.
 /// Thread: RT.
-const ClickBank* choose_bank(const SoundSet& sounds, Situation situation, int rods, int rock) noexcept;
+const BankUse* choose_bank(const SoundSet& sounds, Situation situation, int rods, int rock) noexcept;
 
 }  // namespace rigsound::scene

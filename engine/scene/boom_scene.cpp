@@ -85,8 +85,9 @@ void BoomScene::place_rattling(Voicing voicing, Situation situation) noexcept {
   drill::Slot& slot = drill_.slots[static_cast<int>(voicing)];
   slot.banks = {};
   slot.controls = state_.controls;
-  const ClickBank* bank = choose_bank(*sounds_, situation, state_.rod_count, state_.rock);
-  if (bank != nullptr) slot.banks.add(*bank, 1);
+  const BankUse* use = choose_bank(*sounds_, situation, state_.rod_count, state_.rock);
+  rattling_[static_cast<int>(voicing)] = use;
+  if (use != nullptr) slot.banks.add(sounds_->banks[use->bank], 1);
 }
 
 /// A parted string has nothing to press against.
@@ -174,6 +175,24 @@ void BoomScene::blend_statistics() noexcept {
     statistics_ = impact::blend(statistics_, own, power_[v] / total);
   }
   if (statistics_.mean_gap_samples > 0) tool_.period = string_.period = statistics_.mean_gap_samples;
+}
+
+void BoomScene::describe(BoomView& view) const noexcept {
+  view.situation = rule_.situation();
+  view.hammering = rule_.hammering();
+  view.feed_deviation = static_cast<float>(points_.deviation(feed_));
+  view.rods = state_.rod_count;
+  view.rock = state_.rock;
+  const double gap = statistics_.mean_gap_samples;
+  view.impact_rate_hz = gap > 0 ? static_cast<float>(sample_rate_ / gap) : 0.0F;
+  view.bank_count = 0;
+  const auto add = [&view](const BankUse* use, double share) {
+    if (use != nullptr && share > 0)
+      view.banks[view.bank_count++] = {use->bank, use->rods, use->rock, static_cast<float>(share)};
+  };
+  const double drilling = power_[static_cast<int>(Voicing::kDrilling)];
+  for (int i = 0; i < place_.banks.count; ++i) add(place_.uses[i], drilling * place_.banks.choice[i].share);
+  for (int v = 0; v < drill::kVoicings; ++v) add(rattling_[v], power_[v]);
 }
 
 void BoomScene::advance() noexcept {

@@ -5,6 +5,7 @@
 
 #include "drill/drill_input.hpp"
 #include "impact/impact_train.hpp"
+#include "rigsound/engine_view.hpp"
 #include "rigsound/feed_rule.hpp"
 #include "rigsound/machine/limits.hpp"
 #include "rigsound/options.hpp"
@@ -32,10 +33,8 @@ class BoomScene {
   const string::StringInput& rods() const noexcept { return string_; }
   bool hammering() const noexcept { return rule_.hammering(); }
 
-  Situation situation() const noexcept { return rule_.situation(); }
-  double feed_deviation() const noexcept {
-    return points_.deviation(feed_);
-  }  ///< -1 underfeed, 0, +1 overfeed
+  /// Fills in what the scene has decided: all but what was made of it. Thread: RT.
+  void describe(BoomView& view) const noexcept;
 
  private:
   void crossfade() noexcept;
@@ -60,7 +59,8 @@ class BoomScene {
   double feed_ = 0, rods_ = 1;  ///< smoothed
   bool moved_ = true;           ///< the place on the axis has to be found anew
   FeedPlace place_;
-  std::array<double, drill::kVoicings> power_{};  ///< sums to 1
+  std::array<const BankUse*, drill::kVoicings> rattling_{};  ///< what rattles; null: nothing, or it drills
+  std::array<double, drill::kVoicings> power_{};             ///< sums to 1
   drill::DrillInput drill_;
   tool::ToolInput tool_;
   string::StringInput string_;

@@ -107,14 +107,14 @@ FeedAxis::Series FeedAxis::series_of(int rods, int rock) const {
       if (use.situation == s && distance(use, rods, rock) == nearest)
         series.points.push_back(
             {place_of(use), use.percussion_bar > 0 ? use.percussion_bar : options_.percussion_nominal_bar,
-             use.bank});
+             &use});
   }
   std::stable_sort(series.points.begin(), series.points.end(),
                    [](const Point& a, const Point& b) { return a.feed_bar < b.feed_bar; });
   const std::size_t n = series.points.size();
   if (n < 2) return series;
   const auto between = [&](std::size_t i, std::size_t j) {
-    return laws_between(sounds_->banks[series.points[i].bank], sounds_->banks[series.points[j].bank],
+    return laws_between(bank_of(series.points[i]), bank_of(series.points[j]),
                         series.points[j].feed_bar - series.points[i].feed_bar);
   };
   series.below = between(0, 1), series.above = between(n - 2, n - 1);
@@ -129,12 +129,17 @@ const std::vector<FeedAxis::Series>& FeedAxis::rock_series(int rock) const noexc
   return rocks_[rock >= 0 && rock <= last ? rock + 1 : 0];
 }
 
+void FeedAxis::draw(const Point& point, double share, FeedPlace& place) const noexcept {
+  const int at = place.banks.add(bank_of(point), share);
+  if (at >= 0) place.uses[at] = point.use;
+}
+
 void FeedAxis::add(const Series& series, double feed_bar, double weight, FeedPlace& place) const noexcept {
   const std::vector<Point>& points = series.points;
   if (points.empty() || weight <= 0) return;
   const auto [low, high, w] = neighbours(points, &Point::feed_bar, feed_bar);
-  place.banks.add(sounds_->banks[low.bank], weight * (1 - w));
-  place.banks.add(sounds_->banks[high.bank], weight * w);
+  draw(low, weight * (1 - w), place);
+  draw(high, weight * w, place);
   place.percussion_bar += weight * (low.percussion_bar + w * (high.percussion_bar - low.percussion_bar));
 
   const double beyond = feed_bar - std::clamp(feed_bar, points.front().feed_bar,

@@ -13,7 +13,8 @@ namespace rigsound::scene {
 
 /// What is heard at one feed pressure.
 struct FeedPlace {
-  drill::BankChoices banks;   ///< and how likely an impact draws each
+  drill::BankChoices banks;                               ///< and how likely an impact draws each
+  std::array<const BankUse*, drill::kMaxChoices> uses{};  ///< of each of them: what it was chosen for
   drill::Trend trend;         ///< how far the sound has gone on beyond the outermost banks
   double percussion_bar = 0;  ///< percussion pressure the banks were recorded at
 };
@@ -29,7 +30,7 @@ class FeedAxis {
  private:
   struct Point {
     double feed_bar, percussion_bar;
-    int bank;
+    const BankUse* use;
   };
   /// The banks of one rod count, rising in feed.
   struct Series {
@@ -38,6 +39,8 @@ class FeedAxis {
     FeedLaws below, above;  ///< slopes at the two ends
   };
   Series series_of(int rods, int rock) const;
+  const ClickBank& bank_of(const Point& point) const noexcept { return sounds_->banks[point.use->bank]; }
+  void draw(const Point& point, double share, FeedPlace& place) const noexcept;
   void add(const Series& series, double feed_bar, double weight, FeedPlace& place) const noexcept;
   const std::vector<Series>& rock_series(int rock) const noexcept;
 

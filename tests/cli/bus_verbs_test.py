@@ -110,6 +110,37 @@ class Decode(Case):
         times = [float(r['time_s']) for r in rows]
         self.assertEqual(times, sorted(times))
 
+    def test_situations_follow_from_the_feed_and_deviations_come_in_steps(self):
+        result = run('decode', ROOT / 'config/rigs/demo.toml', '--log', ROOT / 'config/logs/shift.log')
+        rows = list(csv.DictReader(io.StringIO(result.stdout)))
+        words = [(r['value'], round(float(r['time_s']))) for r in rows if r['signal'] == 'situation']
+        self.assertEqual([word for word, _ in words],
+                         ['underfeed', 'normal', 'underfeed', 'normal', 'overfeed', 'normal', 'underfeed',
+                          'closed_rattling', 'open_rattling', 'underfeed'])
+        self.assertEqual([time for _, time in words][7:], [79, 86, 94])  # with the rattling
+        self.assertTrue(58 <= words[4][1] <= 60)  # 123 bar, from 90 at 52 s on by 5 bar a second, a little late
+        feed, told, count = None, None, 0
+        for row in rows:
+            if row['signal'] == 'feed_pressure_bar':
+                feed = float(row['value'])
+            if row['signal'] == 'feed_deviation':
+                # demo.toml: underfeed stands at 37.5 bar, normal at 90, overfeed at 150.
+                expected = (feed - 90) / (52.5 if feed < 90 else 60)
+                self.assertAlmostEqual(float(row['value']), expected, delta=0.006)
+                self.assertTrue(told is None or abs(float(row['value']) - told) > 0.045)
+                told, count = float(row['value']), count + 1
+        self.assertGreater(count, 10)
+        self.assertLess(count, len([r for r in rows if r['signal'] == 'feed_pressure_bar']) / 4)
+
+    def test_what_was_refused_and_clamped_is_said_by_signal(self):
+        rig = self.write('rig.toml', MINIMAL.format(dbc=ROOT / 'config/dbc/rig.dbc', signal='EEC1.EngSpeed'))
+        log = self.write('a.log', '(1.000000) can0 0CF00400#000000409C000000\n(1.020000) can0 0CF00400#00000000FE000000\n'
+                                  '(1.040000) can0 0CF00400#00000000FA000000\n(1.060000) can0 0CF00400#00000008FA000000\n')
+        result = run('decode', rig, '--log', log)
+        self.assertEqual(result.returncode, 0)
+        self.assertIn('engine_rpm: 2 values refused, last 8001, expected 0...4000 r/min\n', result.stderr)
+        self.assertIn('engine_rpm: 2 values over the range taken as 4000 r/min\n', result.stderr)
+
     def test_real_log(self):
         if not DATA:
             print('\nSKIPPED: real CAN log: RIGSOUND_TEST_DATA is not set', flush=True)
@@ -301,6 +332,44 @@ class Render(Case):
             result = run('render', rig, '--states', states, '--out', self.folder / 'none.wav', *words)
             self.assertEqual(result.returncode, code, result.stderr)
             self.assertFalse((self.folder / 'none.wav').exists())
+
+    def test_nothing_that_is_read_is_written_over(self):
+        write_sound_set(self.folder / 'set')
+        rig = self.demo_rig()
+        log = self.short_log(1)
+        clicks = self.folder / 'set/banks/normal/clicks.wav'
+        (self.folder / 'link.wav').symlink_to(clicks)
+        for words in (['render', rig, '--log', log, '--out', log], ['render', rig, '--log', log, '--out', rig],
+                      ['render', rig, '--log', log, '--out', clicks],
+                      ['render', rig, '--log', log, '--out', self.folder / 'link.wav'],
+                      ['resynth', clicks.parent, clicks, '--seconds', 1],
+                      ['resynth', clicks.parent, self.folder / 'new.wav', '--seconds', 1, '--impacts', clicks]):
+            before = {path: path.read_bytes() for path in self.folder.rglob('*') if path.is_file()}
+            self.refused(words, 'expected another name for the output')
+            self.assertEqual({path: path.read_bytes() for path in self.folder.rglob('*') if path.is_file()}, before)
+
+    def test_a_packed_set_sounds_the_same_and_unpacks(self):
+        write_sound_set(self.folder / 'set')
+        rig = self.demo_rig()
+        log = self.short_log(3)
+        first = self.render(rig, log, 'folder.wav')
+        result = run('pack', self.folder / 'set', self.folder / 'one.rigset', '--rig', rig)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        text = rig.read_text()
+        def with_set(name, file):
+            return self.write(file, text.replace(f"\"{self.folder / 'set'}\"", f'"{name}"'))
+        packed_rig = with_set('one.rigset', 'packed.toml')
+        self.assertIn('"one.rigset"', packed_rig.read_text())
+        self.assertEqual(self.render(packed_rig, log, 'packed.wav'), first)
+        result = run('unpack', self.folder / 'one.rigset', self.folder / 'again')
+        self.assertEqual(result.returncode, 0, result.stderr)
+        again = with_set('again', 'again.toml')
+        self.assertEqual(self.render(again, log, 'again.wav'), first)
+        self.refused(['unpack', self.folder / 'one.rigset', self.folder / 'again'], 'is there already')
+        damaged = bytearray((self.folder / 'one.rigset').read_bytes())
+        damaged[-1] ^= 1
+        (self.folder / 'one.rigset').write_bytes(damaged)
+        self.refused(['check', packed_rig], 'one.rigset', 'SHA-256')
 
     def test_states_that_are_none(self):
         write_sound_set(self.folder / 'set')

@@ -78,6 +78,30 @@ class Installed(unittest.TestCase):
         self.assertEqual(hashlib.sha256((self.folder / 'p.f32').read_bytes()).hexdigest(), wanted)
         self.assertGreater(max(array.array('f', pcm)), 0.01)
 
+    def test_a_packed_set_needs_no_rig_file_and_opens_from_memory(self):
+        import ctypes
+        packed = self.folder / 'demo.rigset'
+        run(self.prefix / 'bin/rigsound', 'pack', self.folder / 'set', packed, '--rig', self.rig)
+        run(sys.executable, EXAMPLES / 'feed_ramp.py', packed, self.folder / 'packed.f32', env=self.env)
+        run(sys.executable, EXAMPLES / 'feed_ramp.py', self.rig, self.folder / 'plain.f32', env=self.env)
+        plain = (self.folder / 'plain.f32').read_bytes()
+        self.assertEqual((self.folder / 'packed.f32').read_bytes(), plain)
+        library = ctypes.CDLL(str(self.lib / 'librigsound.so.1'))
+        for name in ('rigsound_open_memory', 'rigsound_last_error'):
+            getattr(library, name).restype = ctypes.c_void_p if name == 'rigsound_open_memory' else ctypes.c_char_p
+        library.rigsound_seed.restype = ctypes.c_uint64
+        library.rigsound_seed.argtypes = [ctypes.c_void_p]
+        library.rigsound_open_memory.argtypes = [ctypes.c_char_p, ctypes.c_size_t]
+        library.rigsound_last_error.argtypes = [ctypes.c_void_p]
+        library.rigsound_close.argtypes = [ctypes.c_void_p]
+        content = packed.read_bytes()
+        rig = library.rigsound_open_memory(content, len(content))
+        self.assertTrue(rig, library.rigsound_last_error(None))
+        self.assertEqual(library.rigsound_seed(rig), 7)
+        library.rigsound_close(rig)
+        self.assertIsNone(library.rigsound_open_memory(content, len(content) - 1))
+        self.assertIn(b'cut off', library.rigsound_last_error(None))
+
     def test_the_cpp_example_builds_and_its_keys_act(self):
         flags = run('pkg-config', '--cflags', '--libs', 'alsa').split()
         program = self.folder / 'six_sliders'

@@ -1,6 +1,7 @@
 #include "playing_rig.hpp"
 
 #include <algorithm>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 
@@ -11,8 +12,20 @@
 namespace rigsound::library {
 namespace {
 
-Engine engine_of(const std::filesystem::path& rig_file) {
-  config::Rig rig = config::load_rig(rig_file);
+Engine engine_of(const config::PackedSet& set, const std::filesystem::path& file) {
+  config::Rig rig = config::rig_of(set, file);
+  return config::build_engine(rig, config::sounds_of(rig, set.parts));
+}
+
+bool begins_packed(const std::filesystem::path& file) {
+  char head[16] = {};
+  std::ifstream(file, std::ios::binary).read(head, sizeof head);
+  return config::is_packed({head, sizeof head});
+}
+
+Engine engine_of(const std::filesystem::path& file) {
+  if (begins_packed(file)) return engine_of(config::load_packed(file), file);
+  config::Rig rig = config::load_rig(file);
   SoundSet sounds = config::load_sounds(rig);
   return config::build_engine(rig, std::move(sounds));
 }
@@ -42,8 +55,13 @@ void require_taken(const Info& info, double value) {
 
 }  // namespace
 
-PlayingRig::PlayingRig(const std::filesystem::path& rig_file)
-    : engine_(engine_of(rig_file)), handoff_(MachineState{}) {}
+PlayingRig::PlayingRig(Engine engine) : engine_(std::move(engine)), handoff_(MachineState{}) {}
+
+PlayingRig::PlayingRig(const std::filesystem::path& file) : PlayingRig(engine_of(file)) {}
+
+PlayingRig::PlayingRig(std::string_view packed_set)
+    : PlayingRig(engine_of(config::read_packed(packed_set, "the packed sound set"), "the packed sound set")) {
+}
 
 void PlayingRig::require_boom(int boom) const {
   const auto booms = static_cast<int>(options().booms.size());

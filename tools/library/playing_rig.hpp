@@ -14,8 +14,10 @@ namespace rigsound::library {
 
 class PlayingRig {
  public:
-  /// Reads the rig and its sound set. Errors: InputError. Thread: OFF.
-  explicit PlayingRig(const std::filesystem::path& rig_file);
+  /// Reads a rig and its sound set, or a set that was packed with a rig. Errors: InputError. Thread: OFF.
+  explicit PlayingRig(const std::filesystem::path& file);
+  /// The same of a packed set in memory, which may be gone afterwards.
+  explicit PlayingRig(std::string_view packed_set);
 
   const EngineOptions& options() const noexcept { return engine_.options(); }
 
@@ -27,6 +29,7 @@ class PlayingRig {
   EngineMeters meters() const noexcept;  ///< of the last block; Thread: any
 
  private:
+  explicit PlayingRig(Engine engine);
   void require_boom(int boom) const;
 
   Engine engine_;

@@ -10,7 +10,8 @@
 #include "rigsound/machine/signal.hpp"
 
 struct rigsound_handle {
-  explicit rigsound_handle(const char* rig_file) : rig(rig_file) {}
+  explicit rigsound_handle(const std::filesystem::path& file) : rig(file) {}
+  explicit rigsound_handle(std::string_view packed_set) : rig(packed_set) {}
   rigsound::library::PlayingRig rig;
   std::string error;
 };
@@ -35,7 +36,7 @@ int guarded(std::string& error, Step step) noexcept {
 }
 
 void require(bool given, const std::string& name) {
-  if (!given) throw std::invalid_argument(name + ": is NULL, expected a text");
+  if (!given) throw std::invalid_argument(name + ": is NULL");
 }
 
 const rigsound::EngineOptions& options(const rigsound_handle* rig) { return rig->rig.options(); }
@@ -46,11 +47,20 @@ extern "C" {
 
 const char* rigsound_version() { return RIGSOUND_VERSION; }
 
-rigsound_handle* rigsound_open(const char* rig_file) {
+rigsound_handle* rigsound_open(const char* file) {
   rigsound_handle* opened = nullptr;
   guarded(open_error, [&] {
-    require(rig_file != nullptr, "rig_file");
-    opened = new rigsound_handle(rig_file);
+    require(file != nullptr, "file");
+    opened = new rigsound_handle(std::filesystem::path(file));
+  });
+  return opened;
+}
+
+rigsound_handle* rigsound_open_memory(const void* bytes, size_t size) {
+  rigsound_handle* opened = nullptr;
+  guarded(open_error, [&] {
+    require(bytes != nullptr, "bytes");
+    opened = new rigsound_handle(std::string_view(static_cast<const char*>(bytes), size));
   });
   return opened;
 }

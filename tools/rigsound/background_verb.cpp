@@ -10,6 +10,7 @@
 #include "rigsound/analysis/background_plot.hpp"
 #include "rigsound/config/background_files.hpp"
 #include "rigsound/config/sound_set_index.hpp"
+#include "rigsound/file/read_files.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -42,7 +43,16 @@ void learn_and_save(const BackgroundOptions& o) {
   std::printf("%s\n", (o.json ? figures_json(learned, o.out) : figures_line(learned)).c_str());
 }
 
+/// What the verb reads: recordings, tracks of the speed, clicks to keep out.
+std::vector<std::filesystem::path> inputs(const BackgroundOptions& o) {
+  std::vector<std::filesystem::path> files;
+  for (const auto* names : {&o.learning.inputs, &o.learning.rpm_tracks, &o.learning.clicks})
+    files.insert(files.end(), names->begin(), names->end());
+  return files;
+}
+
 void run(const BackgroundOptions& o) {
+  for (const std::string& output : {o.plot, o.resynthesis.file}) require_not_read(output, inputs(o));
   if (o.model == "paper")
     model_note(o.learning.inputs, o.resynthesis.file, o.resynthesis.seed, o.json, o.paper);
   else

@@ -1,11 +1,19 @@
+#include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
+#include <iterator>
+#include <optional>
 #include <thread>
 
+#include "cli/number_text.hpp"
 #include "ctl/control_client.hpp"
 #include "ctl/status_view.hpp"
+#include "ctl/watch_view.hpp"
+#include "rigsound/device_error.hpp"
+#include "rigsound/machine/signal.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -14,8 +22,8 @@ namespace {
 struct Options {
   std::string socket = "/run/rigsound/control.sock";
   bool json = false;
-  std::string key;
-  double value = 0, seconds = 0.2;
+  std::string key, value;
+  double seconds = 0.2;
   std::string mute;
 };
 
@@ -34,20 +42,82 @@ std::string in_place(const std::string& text) {
   return view + kClearBelow;
 }
 
-// Ends with the daemon, or by Ctrl-C; on a terminal each view replaces the one before.
+std::optional<Screen> terminal() {
+  if (::isatty(STDOUT_FILENO) == 0) return std::nullopt;
+  winsize size{};
+  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 || size.ws_row == 0) return Screen{};
+  return Screen{size.ws_col, size.ws_row - 1};  // the last row is the prompt's, after Ctrl-C
+}
+
+/// What there is to show: the status, or why there is none.
+class Watched {
+ public:
+  explicit Watched(const std::string& socket) : socket_(socket) {}
+
+  std::string text(const Screen& screen) {
+    try {
+      if (!client_) client_.emplace(socket_);
+      return watch_text(client_->ask({{"command", "status"}}), screen);
+    } catch (const DeviceError& error) {
+      client_.reset();
+      return waiting_text(error.what(), screen);
+    }
+  }
+
+ private:
+  std::string socket_;
+  std::optional<ControlClient> client_;
+};
+
+// Ends by Ctrl-C; on a terminal each view replaces the one before, elsewhere a view like the last is not
+// repeated.
 void watch(const Options& o) {
-  ControlClient client(o.socket);
-  const bool terminal = ::isatty(STDOUT_FILENO) != 0;
+  Watched watched(o.socket);
+  std::string last;
   for (;;) {
-    const std::string text = status_text(client.ask({{"command", "status"}}));
-    print(terminal ? in_place(text) : text);
+    const std::optional<Screen> screen = terminal();
+    const std::string text = watched.text(screen.value_or(Screen{100, 0}));
+    if (screen)
+      print(in_place(text + "\n"));
+    else if (text != last)
+      print(text + "\n");
+    last = text;
     std::fflush(stdout);
     std::this_thread::sleep_for(std::chrono::duration<double>(o.seconds));
   }
 }
 
-void set_control(const Options& o) {
-  ControlClient(o.socket).ask({{"command", "set"}, {"key", o.key}, {"value", o.value}});
+void set_value(const Options& o) {
+  Json request = {{"command", "set"}, {"key", o.key}, {"value", o.value}};
+  if (cli::number_fault(o.value).empty()) request["value"] = cli::number_of(o.value);
+  const Json answer = ControlClient(o.socket).ask(request);
+  for (const Json& set : answer["set"])
+    print(fmt::format("{} {}{}\n", set["name"].get<std::string>(), o.value,
+                      set["manual"].get<bool>() ? ", by hand until `rigsound ctl release`" : ""));
+}
+
+void release_value(const Options& o) {
+  const Json answer = ControlClient(o.socket).ask({{"command", "release"}, {"key", o.key}});
+  for (const Json& name : answer["released"]) print("released " + name.get<std::string>() + "\n");
+  if (answer["released"].empty()) print("nothing to release\n");
+}
+
+/// What may be set, a line each: `NAME RANGE: MEANING`.
+std::string settable() {
+  std::string text = "Signals of the machine, which then stand until released, whatever a bus says:\n";
+  const auto add = [&text](std::string_view name, const std::string& range, std::string_view meaning) {
+    fmt::format_to(std::back_inserter(text), "{} {}: {}\n", name, range, meaning);
+  };
+  for (const SignalInfo& signal : signal_table()) {
+    std::string range(signal.words);
+    for (char& c : range)
+      if (c == '|') c = ',';
+    add(signal.name, range.empty() ? signal.range().text() : range, signal.meaning);
+  }
+  text += "\nControls of the drill:\n";
+  for (const ControlInfo& control : control_table())
+    add(control.name, control.range().text(), control.meaning);
+  return text;
 }
 
 void reload(const Options& o) {
@@ -68,40 +138,57 @@ void metrics(const Options& o) {
   print(ControlClient(o.socket).ask({{"command", "metrics"}})["text"].get<std::string>());
 }
 
+using Shared = std::shared_ptr<Options>;
+
+cli::Verb add(cli::Verb& ctl, const Shared& options, const char* name, const char* summary,
+              void (*run)(const Options&)) {
+  cli::Verb command = ctl.verb(name, summary);
+  command.callback([run, options] { run(*options); });
+  return command;
+}
+
+void add_views(cli::Verb& ctl, const Shared& o) {
+  cli::Verb show =
+      add(ctl, o, "status", "Show audio, meters, buses, booms, signals: why it sounds like this", status);
+  show.flag("--json", o->json, "one JSON object");
+  show.example("rigsound ctl status --json");
+  cli::Verb look = add(ctl, o, "watch", "Show the status on one screen, again and again", watch);
+  look.option("--every", o->seconds, "seconds between two views").range(0.02, 3600).shows_default();
+  look.details("Waits for a daemon that is not there yet, or has gone. Ends by Ctrl-C.");
+  look.example("rigsound ctl watch --every 1");
+  add(ctl, o, "metrics", "Print OpenMetrics text", metrics).example("rigsound ctl metrics");
+}
+
+void add_settings(cli::Verb& ctl, const Shared& o) {
+  cli::Verb set =
+      add(ctl, o, "set", "Set a signal of the machine by hand, or a control of the drill", set_value);
+  set.positional("KEY", o->key, "[BOOM.]SIGNAL or [BOOM.]CONTROL, listed below; without BOOM all booms")
+      .required();
+  set.positional("VALUE", o->value, "number or word").required();
+  set.details(settable());
+  set.example("rigsound ctl set feed_pressure_bar 130");
+  set.example("rigsound ctl set boom2.rattling open");
+  set.example("rigsound ctl set boom1.mean_frequency_hz 42");
+  cli::Verb release =
+      add(ctl, o, "release", "Give a signal back to its bus, bring a control back to neutral", release_value);
+  release.positional("KEY", o->key, "as of `set`, or `all`").required();
+  release.example("rigsound ctl release feed_pressure_bar");
+  cli::Verb silence = add(ctl, o, "mute", "Silence the sound, or let it be heard again", mute);
+  silence.positional("STATE", o->mute, "on or off; left out: the other one").one_of({"on", "off"});
+  silence.example("rigsound ctl mute on");
+  add(ctl, o, "reload", "Read the rig again, all of it or none", reload).example("rigsound ctl reload");
+}
+
 }  // namespace
 
 void add_ctl(cli::Verb& program) {
   cli::Verb ctl = program.verb("ctl", "Talk to the running daemon").group(kRun).options_anywhere();
-  auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<Options>();
   ctl.option("--socket", options->socket, "the rig's [control] socket").shows_default();
-  const auto add = [&](const char* name, const char* summary, void (*run)(const Options&),
-                       const char* arguments) {
-    cli::Verb command = ctl.verb(name, summary);
-    command.example(std::string("rigsound ctl ") + name + arguments);
-    command.callback([run, options] { run(*options); });
-    return command;
-  };
-  add("status", "Show audio, meters, buses and signals", status, " --json")
-      .flag("--json", options->json, "one JSON object");
-  add("watch", "Show the status again and again", watch, " --every 1")
-      .option("--every", options->seconds, "seconds between two views")
-      .range(0.02, 3600)
-      .shows_default();
-  cli::Verb set =
-      add("set", "Change a live control of the drill", set_control, " boom1.mean_frequency_hz 42");
-  set.positional("KEY", options->key, "[BOOM.]CONTROL, see `rigsound ctl --help`; without BOOM all booms")
-      .required();
-  set.positional("VALUE", options->value, "number").required();
-  add("reload", "Read the rig again, all of it or none", reload, "");
-  add("mute", "Silence the sound, or let it be heard again", mute, " on")
-      .positional("STATE", options->mute, "on or off; left out: the other one")
-      .one_of({"on", "off"});
-  add("metrics", "Print OpenMetrics text", metrics, "");
-  ctl.details(
-      "Controls: mean_frequency_hz (1...100 Hz; 0: the machine's own), mean_amplitude_db (-60...24), "
-      "deviation_time and deviation_amplitude (factors 0...4), attack_factor (0.1...10), decay_factor "
-      "(0.25...10).");
-  ctl.example("rigsound ctl set boom1.mean_frequency_hz 42");
+  add_views(ctl, options);
+  add_settings(ctl, options);
+  ctl.details("`rigsound ctl set --help` lists what can be set.");
+  ctl.example("rigsound ctl set feed_pressure_bar 130");
 }
 
 }  // namespace rigsound::tools

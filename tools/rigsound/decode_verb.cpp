@@ -1,20 +1,22 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdio>
-#include <iterator>
 
+#include "decode/state_csv.hpp"
 #include "log_arguments.hpp"
 #include "log_notes.hpp"
+#include "refused_values.hpp"
 #include "rigsound/config/rig.hpp"
 #include "rigsound/log/change_trace.hpp"
-#include "rigsound/machine/input_error.hpp"
+#include "rigsound/session/session_states.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
 namespace {
 
 struct Options {
-  std::string rig;
+  std::string rig, session;
   LogArguments log;
 };
 
@@ -34,36 +36,93 @@ std::string value_text(const log::Change& change) {
   return word.empty() ? fmt::format("{:.10g}", change.value) : std::string(word);
 }
 
-void decode(const Options& options) {
+/// Prints the rows of a log's changes, and of what follows from them, once all of one time are known.
+class LogRows {
+ public:
+  explicit LogRows(const config::Rig& rig) : csv_(rig), rig_(rig) {}
+
+  void add(const log::Change& change) {
+    if (change.time_s != time_s_) add_situations();
+    time_s_ = change.time_s;
+    csv_.add(time_s_, config::signal_label(rig_, change.signal), value_text(change));
+    const SignalInfo& signal = info(change.signal.signal);
+    signal.set(state_, change.signal.boom, change.value);
+    if (signal.per_boom) told_[change.signal.boom] = true;
+  }
+  const std::string& finish() {
+    add_situations();
+    return csv_.text();
+  }
+
+ private:
+  void add_situations() {
+    for (int b = 0; b < kMaxBooms; ++b)
+      if (told_[b]) csv_.add_situation(time_s_, b, state_.boom[b]);
+  }
+
+  StateCsv csv_;
+  const config::Rig& rig_;
+  double time_s_ = 0;
+  MachineState state_;
+  std::array<bool, kMaxBooms> told_{};
+};
+
+void print(const std::string& csv) { std::fwrite(csv.data(), 1, csv.size(), stdout); }
+
+void decode_log(const Options& options) {
   const config::Rig rig = config::load_rig(options.rig);
   const std::unique_ptr<log::BusLog> log =
       log::open_log(options.log.log, {rig.can, rig.modbus, rig.udp}, log_options(options.log));
-  std::string csv = "time_s,signal,value\n";  // printed whole or not at all
-  log::trace_changes(*log, rig.safety, watched(rig), [&](const log::Change& change) {
-    fmt::format_to(std::back_inserter(csv), "{:.6f},{},{}\n", change.time_s,
-                   config::signal_label(rig, change.signal), value_text(change));
-  });
-  std::fwrite(csv.data(), 1, csv.size(), stdout);
-  print_log_notes(options.log.log, *log, rig);
+  LogRows rows(rig);  // printed whole or not at all
+  const SignalBoard board = log::trace_changes(*log, rig.safety, watched(rig),
+                                               [&](const log::Change& change) { rows.add(change); });
+  print(rows.finish());
+  print_log_notes(options.log.log, *log);
+  print_refused_values(rig, board);
+}
+
+void decode_session(const Options& options) {
+  const config::Rig rig = config::load_rig(options.rig, config::Buses::kLeftOut);
+  const session::SessionStates states(options.session);
+  const session::SessionHeader& header = states.header();
+  const double block_s = header.block / header.sample_rate;
+  StateCsv csv(rig);
+  for (const session::SessionStates::Change& change : states.changes())
+    csv.add_state(static_cast<double>(change.block) * block_s, change.state);
+  print(csv.text());
+  fmt::print(stderr, "{}: {:.1f} s, played by rigsound {} at {:g} Hz in blocks of {} frames, seed {}\n",
+             options.session, static_cast<double>(states.blocks()) * block_s, header.program,
+             header.sample_rate, header.block, header.seed);
 }
 
 }  // namespace
 
 void add_decode(cli::Verb& program) {
-  cli::Verb verb = program.verb("decode", "Print what a recorded bus would tell the engine").group(kInspect);
+  cli::Verb verb =
+      program.verb("decode", "Print what a recorded bus or a session tells the engine").group(kInspect);
   auto options = std::make_shared<Options>();
   verb.positional("RIG.toml", options->rig, "the rig; a bus and its signals are enough").required();
-  verb.option("--log", options->log.log, kLogHelp).required();
+  cli::Verb source = verb.exactly_one("Source");
+  source.option("--log", options->log.log, kLogHelp);
   add_log_options(verb, options->log);
-  verb.callback([options] { decode(*options); });
+  source.option("--session", options->session, "what rigsoundd --session wrote: what the engine was told");
+  verb.callback([options] { options->session.empty() ? decode_log(*options) : decode_session(*options); });
   verb.details(
       "Prints CSV time_s,signal,value: one row for the first valid value of a signal and one at each change. "
       "time_s counts from the first entry of the log. Values are those after the rig's [safety] rules, in "
       "the "
       "signal's unit, or words (none, closed, open; off, on). Signals of a second boom are NAME.signal. With "
       "one "
-      "[[can]] and one interface in the log their names need not agree.");
+      "[[can]] and one interface in the log their names need not agree.\n"
+      "Rows `situation` and `feed_deviation` (-1 underfeed, 0 normal, 1 overfeed, and beyond; each time it "
+      "has "
+      "moved by 0.05) say what the engine makes of a boom's signals. A session has rows of the live "
+      "controls, "
+      "`output_gain` (mute and fades) and `manual` (the signals that a user holds, or none) too; what "
+      "nothing "
+      "says any more is `absent`.");
   verb.example("rigsound decode config/rigs/demo.toml --log config/logs/shift.log");
+  verb.example("rigsound decode config/rigs/demo.toml --session run.rigsession");
 }
 
 }  // namespace rigsound::tools

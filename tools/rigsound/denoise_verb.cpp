@@ -1,10 +1,9 @@
 // rigsound denoise: a drill without the machine it sits on.
-#include <filesystem>
 #include <memory>
 
 #include "chain_arguments.hpp"
 #include "rigsound/analysis/wave_file.hpp"
-#include "rigsound/machine/input_error.hpp"
+#include "rigsound/file/read_files.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -15,17 +14,10 @@ struct DenoiseOptions {
   std::string output, noise;
 };
 
-bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
-  return std::filesystem::weakly_canonical(absolute(a)) == std::filesystem::weakly_canonical(absolute(b));
-}
-
 /// Refuses outputs that would replace the recording or one another.
 void check_names(const DenoiseOptions& options) {
-  for (const std::string& output : {options.output, options.noise})
-    if (!output.empty() && same_file(output, options.chain.input))
-      throw InputError(output, "is the recording itself, expected another name for the output");
-  if (!options.noise.empty() && same_file(options.output, options.noise))
-    throw InputError(options.noise, "is the name of both outputs, expected two different names");
+  require_not_read(options.output, {options.chain.input});
+  require_not_read(options.noise, {options.chain.input, options.output});
 }
 
 std::vector<float> background(const analysis::Recording& recording, const std::vector<float>& drilling) {

@@ -3,13 +3,11 @@
 
 #include <string>
 
-#include "rigsound/config/rig.hpp"
 #include "rigsound/log/bus_log.hpp"
 
 namespace rigsound::tools {
 
-/// One line a note on stderr: `FILE: text` or `FILE:LINE: text`; also one for each signal whose readings were
-/// no value, or out of range.
-void print_log_notes(const std::string& file, const log::BusLog& log, const config::Rig& rig);
+/// One line a note on stderr: `FILE: text` or `FILE:LINE: text`.
+void print_log_notes(const std::string& file, const log::BusLog& log);
 
 }  // namespace rigsound::tools

@@ -5,11 +5,13 @@
 
 #include "log_arguments.hpp"
 #include "log_notes.hpp"
+#include "refused_values.hpp"
 #include "rigsound/audio/excerpt.hpp"
 #include "rigsound/audio/wav_sink.hpp"
 #include "rigsound/config/fingerprint.hpp"
 #include "rigsound/config/rig.hpp"
 #include "rigsound/default_diesel.hpp"
+#include "rigsound/file/read_files.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "rigsound/session/log_states.hpp"
 #include "rigsound/session/session_states.hpp"
@@ -34,6 +36,7 @@ void render(config::Rig& rig, audio::StateSource& states, audio::SampleFormat sa
   SoundSet sounds = config::load_sounds(rig);
   const bool built_in_diesel = sounds.diesels.front().name == kDefaultDiesel;
   Engine engine = config::build_engine(rig, std::move(sounds));
+  require_not_read(options.out, {rig.file, rig.sound_set, options.log.log, options.session, options.states});
   const audio::BlockRange part = audio::blocks_of(options.from_s, options.to_s, rig.engine);
   Sha256 digest;
   audio::WavSink::Tap hash;
@@ -59,30 +62,31 @@ void render(config::Rig& rig, audio::StateSource& states, audio::SampleFormat sa
                rig.sound_set.string());
 }
 
-config::Rig rig_of(const Options& options) {
-  config::Rig rig = config::load_rig(options.rig);
+config::Rig rig_of(const Options& options, config::Buses buses) {
+  config::Rig rig = config::load_rig(options.rig, buses);
   if (options.seed) rig.engine.seed = *options.seed;
   return rig;
 }
 
 void render_states(const Options& options) {
-  config::Rig rig = rig_of(options);
+  config::Rig rig = rig_of(options, config::Buses::kLeftOut);
   session::TableStates states(options.states, rig.engine);
   render(rig, states, audio::SampleFormat::kFloat, options);
 }
 
 void render_log(const Options& options) {
-  config::Rig rig = rig_of(options);
+  config::Rig rig = rig_of(options, config::Buses::kRead);
   const std::unique_ptr<log::BusLog> log =
       log::open_log(options.log.log, {rig.can, rig.modbus, rig.udp}, log_options(options.log));
   session::LogStates states(*log, rig.safety, rig.engine);
   render(rig, states, audio::SampleFormat::kFloat, options);
-  print_log_notes(options.log.log, *log, rig);
+  print_log_notes(options.log.log, *log);
+  print_refused_values(rig, states.board());
 }
 
-/// What the session was rendered with counts; the rest must be what it was.
+/// What the session was rendered with counts; the rest must be what it was. Buses are not asked any more.
 void render_session(const Options& options) {
-  config::Rig rig = config::load_rig(options.rig);
+  config::Rig rig = config::load_rig(options.rig, config::Buses::kLeftOut);
   session::SessionStates states(options.session);
   const session::SessionHeader& header = states.header();
   rig.engine.seed = header.seed;

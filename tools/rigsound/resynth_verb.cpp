@@ -9,6 +9,7 @@
 #include "rigsound/analysis/wave_file.hpp"
 #include "rigsound/config/bank_files.hpp"
 #include "rigsound/file/atomic_file.hpp"
+#include "rigsound/file/read_files.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -29,6 +30,7 @@ void write_impacts(const std::string& path, const analysis::Resynthesis& result,
 }
 
 void resynth(const ResynthOptions& o) {
+  for (const std::string& output : {o.output, o.impacts}) require_not_read(output, {o.bank});
   const ClickBank bank = config::load_bank(o.bank).bank;
   const analysis::Resynthesis result = analysis::resynthesise(bank, o.seconds, o.seed, o.controls);
   if (!o.impacts.empty()) write_impacts(o.impacts, result, bank.sample_rate);

@@ -25,7 +25,7 @@ void draw(Options o) {
     throw cli::UsageError("OUT.png",
                           "'" + o.picture + "' is no name for a PNG, expected one that ends in .png");
   SceneOptions& scene = o.timeline.scene;
-  if (!o.rig.empty()) scene = config::load_rig(o.rig).engine.scene;
+  if (!o.rig.empty()) scene = config::load_rig(o.rig, config::Buses::kLeftOut).engine.scene;
   if (o.underfeed->given()) scene.underfeed_bar = o.underfeed_bar;
   if (o.overfeed->given()) scene.overfeed_bar = o.overfeed_bar;
   if (scene.underfeed_bar >= scene.overfeed_bar)

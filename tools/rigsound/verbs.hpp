@@ -23,8 +23,10 @@ void add_record(cli::Verb& program);
 void add_render(cli::Verb& program);
 void add_replay(cli::Verb& program);
 void add_resynth(cli::Verb& program);
+void add_pack(cli::Verb& program);
 void add_simulate(cli::Verb& program);
 void add_timeline(cli::Verb& program);
 void add_tool(cli::Verb& program);
+void add_unpack(cli::Verb& program);
 
 }  // namespace rigsound::tools

@@ -16,8 +16,7 @@ struct AudioFigures {
   std::atomic<std::uint64_t> deadline_misses{0};  ///< blocks that took longer to compute than to play
   std::atomic<std::uint64_t> lost_records{0};
   std::atomic<std::uint64_t> lost_clicks{0};  ///< of the run
-  std::atomic<float> peak{0}, rms{0};         ///< of the last block, linear
-  std::atomic<float> limiter_gain{1};
+  std::atomic<float> peak{0};                 ///< of the last block, linear
 };
 
 }  // namespace rigsound::daemon

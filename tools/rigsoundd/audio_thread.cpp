@@ -37,7 +37,9 @@ AudioThread::AudioThread(std::unique_ptr<Engine> engine, audio::Sink& sink, Trip
       deadline_ns_(
           static_cast<std::uint64_t>(engine_->options().block * 1e9 / engine_->options().sample_rate)),
       sink_(sink),
-      states_(states) {}
+      states_(states) {
+  window_.number = 1;
+}
 
 AudioThread::~AudioThread() { stop(); }
 
@@ -99,9 +101,19 @@ void AudioThread::measure(std::uint64_t spent_ns) noexcept {
   if (spent_ns > deadline_ns_) raise<std::uint64_t>(figures_.deadline_misses, 1);
   const EngineMeters meters = engine_->meters();
   figures_.peak.store(meters.peak, std::memory_order_relaxed);
-  figures_.rms.store(meters.rms, std::memory_order_relaxed);
-  figures_.limiter_gain.store(meters.limiter_gain, std::memory_order_relaxed);
   figures_.lost_clicks.store(meters.lost_clicks, std::memory_order_relaxed);
+  report_levels(meters);
+}
+
+void AudioThread::report_levels(const EngineMeters& meters) noexcept {
+  window_.add(meters, engine_->view());
+  if (window_to_close_.load(std::memory_order_relaxed) == window_.number) {
+    next_report_.closed = window_;
+    window_ = {};
+    window_.number = next_report_.closed.number + 1;
+  }
+  next_report_.view = engine_->view();
+  report_.write(next_report_);
 }
 
 void AudioThread::replace_engine(std::unique_ptr<Engine> engine) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "audio_figures.hpp"
+#include "audio_report.hpp"
 #include "live_states.hpp"
 #include "rigsound/audio/block_loop.hpp"
 #include "rigsound/audio/sink.hpp"
@@ -36,6 +37,11 @@ class AudioThread {
   const AudioFigures& figures() const { return figures_; }  ///< Thread: any
   /// The state the engine was last told. Thread: CT, one at a time
   const MachineState& heard() const { return heard_.read(); }
+  /// What it sounds like. Thread: CT, one at a time
+  const AudioReport& report() const { return report_.read(); }
+  /// Ends level window `number`, if it is the one under way, at the next block. Thread: CT
+  void close_window(std::uint32_t number) { window_to_close_.store(number, std::memory_order_relaxed); }
+
   RunQueue& records() { return records_; }                       ///< its reader, CT
   const std::string& scheduling() const { return scheduling_; }  ///< "SCHED_FIFO 70", or why not
 
@@ -45,6 +51,7 @@ class AudioThread {
   void begin_run();
   void render_run();
   void measure(std::uint64_t spent_ns) noexcept;
+  void report_levels(const EngineMeters& meters) noexcept;
 
   std::unique_ptr<Engine> engine_;
   std::vector<float> block_;  // a new engine's blocks are of the same size
@@ -52,6 +59,10 @@ class AudioThread {
   audio::Sink& sink_;
   LiveStates states_;
   mutable TripleBuffer<MachineState> heard_{MachineState{}};
+  mutable TripleBuffer<AudioReport> report_{AudioReport{}};
+  AudioReport next_report_;  // the audio thread's
+  LevelWindow window_;       // the audio thread's: under way
+  std::atomic<std::uint32_t> window_to_close_{0};
   RunQueue records_{kRunQueueLength};
   AudioFigures figures_;
   RunReporter reporter_{records_, figures_.lost_records};

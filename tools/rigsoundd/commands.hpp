@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rigsound/machine/machine_state.hpp"
+#include "rigsound/machine/signal.hpp"
 #include "snapshot.hpp"
 
 namespace rigsound::daemon {
@@ -20,16 +20,21 @@ class DaemonControl {
  public:
   virtual ~DaemonControl() = default;
   virtual Snapshot snapshot() const = 0;
+  virtual Snapshot scrape() = 0;  ///< its levels are those since the last scrape
   virtual ReloadResult reload() = 0;
   virtual void set_muted(bool muted) = 0;
   virtual std::vector<std::string> boom_names() const = 0;
   virtual DrillControls controls(int boom) const = 0;
   virtual void set_controls(int boom, const DrillControls& controls) = 0;
+  virtual std::vector<std::string> rock_names() const = 0;
+  virtual bool holds(SignalId id) const = 0;
+  virtual void hold(SignalId id, double value) = 0;  ///< a value that the signal takes
+  virtual void release(SignalId id) = 0;
 };
 
-/// Requests: {"command": "status" | "metrics" | "reload" | "mute" | "set"}; mute takes "on" (default: the
-/// other way round), set takes "key" ([BOOM.]CONTROL) and "value". Answers: {"ok": true, ...} or
-/// {"ok": false, "error": TEXT}, with a newline. Never throws. Thread: CT.
+/// Requests: {"command": "status" | "metrics" | "reload" | "mute" | "set" | "release"}; mute takes "on"
+/// (default: the other way round), set takes "key" and "value", release "key" (live_values.hpp). Answers:
+/// {"ok": true, ...} or {"ok": false, "error": TEXT}, with a newline. Never throws. Thread: CT.
 std::string answer(const std::string& request, DaemonControl& daemon);
 
 }  // namespace rigsound::daemon

@@ -48,7 +48,8 @@ struct FeedPlan {
 }  // namespace
 
 Daemon::Daemon(const DaemonOptions& options)
-    : loaded_(load(options.rig)),
+    : buses_(options.buses),
+      loaded_(load(options.rig, buses_)),
       exchange_(loaded_.rig.safety),
       sink_(make_sink(loaded_.rig.audio, clock_, card_)),
       audio_(std::move(loaded_.engine), *sink_, exchange_.handoff()),
@@ -59,6 +60,8 @@ Daemon::Daemon(const DaemonOptions& options)
   recorder_.expect_run(session_header());
   audio_.start();
   log_info("audio thread: " + audio_.scheduling());
+  if (buses_ == config::Buses::kLeftOut)
+    log_info("manual: no bus is opened, signals are set by `rigsound ctl set`");
 }
 
 Daemon::~Daemon() {
@@ -77,7 +80,7 @@ void Daemon::open_sockets() {
   servers_.emplace_back(
       listen_tcp(*parse_host_port(control.metrics, 0)),
       LineServer::Protocol{"\r\n\r\n", true, [this](const std::string&) {
-                             const std::string page = to_openmetrics(snapshot());
+                             const std::string page = to_openmetrics(scrape());
                              return "HTTP/1.1 200 OK\r\nContent-Type: application/openmetrics-text; "
                                     "version=1.0.0; charset=utf-8\r\n"
                                     "Content-Length: " +
@@ -153,6 +156,8 @@ void Daemon::poll() {
   if (card_ != nullptr) card_->poll();
   report_card();
   poll_session(now_s);
+  levels_.take(audio_.report().closed);
+  audio_.close_window(levels_.taken() + 1);
   service_.watch(audio_.figures().blocks.load(std::memory_order_relaxed), now_s);
 }
 
@@ -185,7 +190,7 @@ ReloadResult Daemon::reload() {
   ReloadResult result;
   service_.reloading();
   try {
-    LoadedRig next = load_for_reload(loaded_.rig, result.not_applied);
+    LoadedRig next = load_for_reload(loaded_.rig, buses_, result.not_applied);
     exchange_.set_safety(next.rig.safety);
     new_run(std::move(next));
     start_feeds(std::exchange(feeds_, {}));
@@ -207,6 +212,16 @@ void Daemon::set_muted(bool muted) {
   log_info(muted ? "muted" : "unmuted");
 }
 
+void Daemon::hold(SignalId id, double value) {
+  exchange_.change([&](SignalBoard& board) { board.hold(id, value); });
+  log_info(fmt::format("{}: {:g} by hand", config::signal_label(loaded_.rig, id), value));
+}
+
+void Daemon::release(SignalId id) {
+  exchange_.change([&](SignalBoard& board) { board.release(id); });
+  log_info(config::signal_label(loaded_.rig, id) + ": released");
+}
+
 std::vector<std::string> Daemon::boom_names() const {
   std::vector<std::string> names;
   for (const BoomOptions& boom : loaded_.rig.engine.booms) names.push_back(boom.name);
@@ -216,8 +231,7 @@ std::vector<std::string> Daemon::boom_names() const {
 audio::CardStatus Daemon::card() const {
   if (card_ != nullptr) return card_->status();
   audio::CardStatus none;
-  none.playing = true;
-  none.description = "no sound card: device is null";
+  none.description = "the rig's device is \"null\"";
   return none;
 }
 

@@ -11,6 +11,7 @@
 #include "audio_thread.hpp"
 #include "commands.hpp"
 #include "feed.hpp"
+#include "levels.hpp"
 #include "line_server.hpp"
 #include "loaded_rig.hpp"
 #include "recorder.hpp"
@@ -24,6 +25,7 @@ namespace rigsound::daemon {
 struct DaemonOptions {
   std::string rig;
   RecorderOptions session;
+  config::Buses buses = config::Buses::kRead;  ///< kLeftOut: none is opened, users set the signals
 };
 
 /// Thread: main, all of it; construct with the signals of `signals` blocked in every thread.
@@ -38,6 +40,7 @@ class Daemon : private DaemonControl {
 
  private:
   Snapshot snapshot() const override;
+  Snapshot scrape() override;
   ReloadResult reload() override;
   void set_muted(bool muted) override;
   std::vector<std::string> boom_names() const override;
@@ -45,6 +48,10 @@ class Daemon : private DaemonControl {
   void set_controls(int boom, const DrillControls& controls) override {
     exchange_.set_controls(boom, controls);
   }
+  std::vector<std::string> rock_names() const override { return loaded_.sounds.rocks; }
+  bool holds(SignalId id) const override { return exchange_.board().entry(id).by_hand; }
+  void hold(SignalId id, double value) override;
+  void release(SignalId id) override;
 
   void open_sockets();
   /// Feeds for the buses of loaded_; those of `kept` that are told the same go on as they are.
@@ -58,13 +65,18 @@ class Daemon : private DaemonControl {
   session::SessionHeader session_header() const;
   audio::CardStatus card() const;
   std::vector<SignalSnapshot> signal_snapshots(const MachineState& heard) const;
+  BoomSnapshot boom_snapshot(int index, const BoomView& view) const;
+  Snapshot snapshot_with(const LevelWindow& levels) const;
+  std::string rock_name(int rock) const;  ///< empty when the sound set has none of it
 
+  config::Buses buses_;
   LoadedRig loaded_;
   StateExchange exchange_;
   audio::MonotonicClock clock_;
   audio::SoundCard* card_ = nullptr;  // sink_, when there is a card at all
   std::unique_ptr<audio::Sink> sink_;
   AudioThread audio_;
+  Levels levels_;
   Recorder recorder_;
   std::vector<std::unique_ptr<Feed>> feeds_;
   std::vector<LineServer> servers_;

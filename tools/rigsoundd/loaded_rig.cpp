@@ -22,21 +22,32 @@ void keep_format(audio::SampleFormat running, audio::SampleFormat& wanted,
   wanted = running;
 }
 
+template <class Items>
+std::vector<std::string> names_of(const Items& items) {
+  std::vector<std::string> names;
+  for (const auto& item : items) names.push_back(item.name);
+  return names;
+}
+
 }  // namespace
 
 LoadedRig build(config::Rig rig) {
   SoundSet sounds = config::load_sounds(rig);
   LoadedRig loaded;
+  loaded.sounds = {names_of(sounds.banks), names_of(sounds.rocks)};
   loaded.fingerprint = config::fingerprint(rig);
   loaded.engine = std::make_unique<Engine>(config::build_engine(rig, std::move(sounds)));
   loaded.rig = std::move(rig);
   return loaded;
 }
 
-LoadedRig load(const std::filesystem::path& file) { return build(config::load_rig(file)); }
+LoadedRig load(const std::filesystem::path& file, config::Buses buses) {
+  return build(config::load_rig(file, buses));
+}
 
-LoadedRig load_for_reload(const config::Rig& running, std::vector<std::string>& not_applied) {
-  config::Rig rig = config::load_rig(running.file);
+LoadedRig load_for_reload(const config::Rig& running, config::Buses buses,
+                          std::vector<std::string>& not_applied) {
+  config::Rig rig = config::load_rig(running.file, buses);
   keep("audio.device", running.audio.device, rig.audio.device, not_applied);
   keep("audio.rate", running.audio.rate, rig.audio.rate, not_applied);
   keep("audio.block", running.audio.block, rig.audio.block, not_applied);

@@ -11,20 +11,27 @@
 
 namespace rigsound::daemon {
 
+/// What the indices of an engine's view mean.
+struct SoundNames {
+  std::vector<std::string> banks, rocks;
+};
+
 struct LoadedRig {
   config::Rig rig;
+  SoundNames sounds;
   std::unique_ptr<Engine> engine;
   std::string fingerprint;
 };
 
 /// Errors: InputError. Thread: CT.
-LoadedRig load(const std::filesystem::path& file);
+LoadedRig load(const std::filesystem::path& file, config::Buses buses);
 
 /// A fresh engine for a rig already read; its sounds are read again. Errors: InputError. Thread: CT.
 LoadedRig build(config::Rig rig);
 
 /// The same as load() for a daemon that runs `running`: what only a restart can change keeps its running
 /// value and is listed in `not_applied`, `KEY: OLD, wanted NEW`. Errors: InputError. Thread: CT.
-LoadedRig load_for_reload(const config::Rig& running, std::vector<std::string>& not_applied);
+LoadedRig load_for_reload(const config::Rig& running, config::Buses buses,
+                          std::vector<std::string>& not_applied);
 
 }  // namespace rigsound::daemon

@@ -57,20 +57,30 @@ int main(int argc, char** argv) {
   daemon::DaemonOptions options;
   std::string session;
   double limit_mb = 256;
+  bool manual = false;
   int code = 0;
   cli::Verb verb = program.verb();
   verb.positional("RIG.toml", options.rig, "the rig").required();
-  verb.option("--session", session, "write what happens to FILE (older ones become FILE.1, FILE.2, FILE.3)")
+  verb.option("--session", session,
+              "write what happens to FILE; older ones become NAME.1.EXT, NAME.2.EXT, NAME.3.EXT")
       .type("FILE");
   verb.option("--session-limit", limit_mb, "MB that all session files together may take")
       .range(0.01, 1e6)
       .shows_default();
+  verb.flag("--manual", manual, "open no bus: signals are what `rigsound ctl set` says");
   verb.details(
       "SIGHUP, or `rigsound ctl reload`, reads the rig again: all of it is taken, or none. SIGTERM and "
       "SIGINT fade "
-      "the sound out and end with 0. A missing sound card or bus is waited for.");
+      "the sound out and end with 0. A missing sound card or bus is waited for.\n"
+      "With --manual neither the rig's buses nor the files they name are looked at. It is silent until you "
+      "say:\n"
+      "rigsound ctl set engine_rpm 1500 (the diesel runs)\n"
+      "rigsound ctl set feed_pressure_bar 90 (it drills)\n"
+      "rigsound ctl set feed_pressure_bar 160 (too much feed)");
   verb.example("rigsoundd config/rigs/demo.toml --session run.rigsession");
+  verb.example("rigsoundd config/rigs/demo.toml --manual");
   verb.callback([&] {
+    if (manual) options.buses = config::Buses::kLeftOut;
     options.session.file = session;
     options.session.limit_bytes = static_cast<std::uint64_t>(limit_mb * 1e6);
     code = serve(options);

@@ -2,20 +2,25 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "rigsound/audio/sound_card.hpp"
 #include "rigsound/bus/bus.hpp"
 #include "rigsound/machine/machine_state.hpp"
+#include "rigsound/machine/situation.hpp"
 
 namespace rigsound::daemon {
 
 struct SignalSnapshot {
   std::string name, unit;
-  double value = 0;   ///< after the safety rule
-  double age_s = -1;  ///< since it was last good; negative: never
-  std::string validity;
+  double value = 0;      ///< after the safety rule
+  double age_s = -1;     ///< since it was last good; negative: never
+  std::string validity;  ///< "manual" while a user holds it
+  std::string word;      ///< of the value, or the rock's name; empty: it is a number
+  std::uint64_t refused = 0, clamped = 0;
+  std::optional<double> last_refused;  ///< what was last refused, when it was a number
 };
 
 struct BusSnapshot {
@@ -25,9 +30,31 @@ struct BusSnapshot {
   std::vector<BusCounter> counters;
 };
 
+/// Linear, full scale 1.
+struct LevelSnapshot {
+  double peak = 0, rms = 0;
+};
+
+struct BankSnapshot {
+  std::string name;
+  double share = 0;
+  int rods = 0;      ///< it was recorded with; 0: any
+  std::string rock;  ///< it was recorded in; empty: any
+};
+
+/// Why a boom sounds as it does.
 struct BoomSnapshot {
   std::string name;
   DrillControls controls;
+  Situation situation = Situation::kUnderfeed;
+  bool hammering = false;
+  double feed_deviation = 0;
+  std::vector<BankSnapshot> banks;  ///< falling in share
+  int rods = 1;
+  std::string rock;  ///< asked for: its name, or its number when the sound set has none of it
+  double impacts_wanted_hz = 0, impacts_made_hz = 0;
+  std::string tool;  ///< "tool", "string", or empty: none that rings
+  LevelSnapshot drill_level, tool_level;
 };
 
 struct SessionSnapshot {
@@ -45,8 +72,12 @@ struct Snapshot {
   double block_s = 0;       ///< length of a block
   double block_mean_s = 0;  ///< time to compute one
   double block_worst_s = 0;
-  double peak = 0, rms = 0, limiter_gain = 1, output_gain = 1;  ///< linear
-  bool muted = false;
+  LevelSnapshot output,
+      diesel;               ///< these and the booms': of the last moments; of a scrape: since the last one
+  double limiter_gain = 1;  ///< lowest of that time, linear
+  double output_gain = 1;   ///< linear
+  bool muted = false, paused = false;
+  bool no_buses = false;  ///< started with --manual
   std::uint64_t reloads = 0, failed_reloads = 0, lost_log_entries = 0;
   std::vector<SignalSnapshot> signals;
   std::vector<BusSnapshot> buses;

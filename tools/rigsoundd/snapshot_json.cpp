@@ -14,6 +14,10 @@ constexpr const char* kEventNames[audio::kCardEventCount] = {"xruns",        "su
 
 double decibels(double linear) { return linear > 1e-10 ? 20 * std::log10(linear) : -200; }
 
+Json level_json(const LevelSnapshot& level) {
+  return {{"peak_db", decibels(level.peak)}, {"rms_db", decibels(level.rms)}};
+}
+
 Json audio_json(const Snapshot& s) {
   Json json = {{"playing", s.card.playing},
                {"card", s.card.description},
@@ -34,6 +38,10 @@ Json signals_json(const Snapshot& s) {
     Json entry = {
         {"name", signal.name}, {"value", signal.value}, {"unit", signal.unit}, {"validity", signal.validity}};
     entry["age_s"] = signal.age_s < 0 ? Json(nullptr) : Json(signal.age_s);
+    entry["word"] = signal.word;
+    entry["refused"] = signal.refused;
+    entry["last_refused"] = signal.last_refused ? Json(*signal.last_refused) : Json(nullptr);
+    entry["clamped"] = signal.clamped;
     json.push_back(entry);
   }
   return json;
@@ -49,14 +57,42 @@ Json buses_json(const Snapshot& s) {
   return json;
 }
 
+Json banks_json(const BoomSnapshot& boom) {
+  Json json = Json::array();
+  for (const BankSnapshot& bank : boom.banks)
+    json.push_back({{"name", bank.name}, {"share", bank.share}, {"rods", bank.rods}, {"rock", bank.rock}});
+  return json;
+}
+
+Json boom_json(const BoomSnapshot& boom) {
+  Json json = {{"name", boom.name},
+               {"situation", std::string(name(boom.situation))},
+               {"hammering", boom.hammering},
+               {"feed_deviation", boom.feed_deviation},
+               {"banks", banks_json(boom)},
+               {"rods", boom.rods},
+               {"rock", boom.rock},
+               {"impacts_wanted_hz", boom.impacts_wanted_hz},
+               {"impacts_made_hz", boom.impacts_made_hz}};
+  json["levels"]["drill"] = level_json(boom.drill_level);
+  if (!boom.tool.empty()) json["levels"][boom.tool] = level_json(boom.tool_level);
+  for (const ControlInfo& control : control_table())
+    json[std::string(control.name)] = boom.controls.*control.field;
+  return json;
+}
+
 Json booms_json(const Snapshot& s) {
   Json json = Json::array();
-  for (const BoomSnapshot& boom : s.booms) {
-    Json entry = {{"name", boom.name}};
-    for (const ControlInfo& control : control_table())
-      entry[std::string(control.name)] = boom.controls.*control.field;
-    json.push_back(entry);
-  }
+  for (const BoomSnapshot& boom : s.booms) json.push_back(boom_json(boom));
+  return json;
+}
+
+Json meters_json(const Snapshot& s) {
+  Json json = level_json(s.output);
+  json["limiter_db"] = decibels(s.limiter_gain);
+  json["output_gain"] = s.output_gain;
+  json["lost_clicks"] = s.lost_clicks;
+  json["diesel"] = level_json(s.diesel);
   return json;
 }
 
@@ -68,13 +104,10 @@ std::string to_json(const Snapshot& s) {
                      {"rig", s.rig},
                      {"uptime_s", s.uptime_s},
                      {"audio", audio_json(s)},
-                     {"meters",
-                      {{"peak_db", decibels(s.peak)},
-                       {"rms_db", decibels(s.rms)},
-                       {"limiter_db", decibels(s.limiter_gain)},
-                       {"output_gain", s.output_gain},
-                       {"lost_clicks", s.lost_clicks}}},
+                     {"meters", meters_json(s)},
                      {"muted", s.muted},
+                     {"paused", s.paused},
+                     {"no_buses", s.no_buses},
                      {"signals", signals_json(s)},
                      {"buses", buses_json(s)},
                      {"booms", booms_json(s)},

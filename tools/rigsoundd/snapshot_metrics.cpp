@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <map>
 
+#include "rigsound/machine/safety.hpp"
 #include "snapshot.hpp"
 
 namespace rigsound::daemon {
@@ -29,9 +31,6 @@ constexpr CounterText kBusCounters[] = {
     {"frames_rejected", "Datagrams from a network not allowed."},
     {"frames_late", "Datagrams older than one before."},
     {"losses", "Times the bus or the device went away."}};
-constexpr const char* kStates[] = {"never_seen",  "valid",         "stale",       "bus_down",
-                                   "error_value", "not_available", "out_of_range"};
-
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -73,12 +72,13 @@ void add_audio(Page& page, const Snapshot& s) {
   for (std::size_t i = 0; i < s.card.events.size(); ++i)
     page.counter(kCardCounters[i].name, s.card.events[i], kCardCounters[i].help);
   page.counter("deadline_misses", s.deadline_misses, "Blocks that took longer to compute than to play.");
-  page.gauge("card_playing", s.card.playing ? 1 : 0, "1 while a sound card is open.");
+  page.gauge("card_playing", s.card.playing ? 1 : 0, "1 while a sound card is open; never for device null.");
   page.gauge("block_time_mean_seconds", s.block_mean_s, "Time to compute a block, mean.", "seconds");
   page.gauge("block_time_worst_seconds", s.block_worst_s, "Time to compute a block, worst.", "seconds");
-  page.gauge("limiter_gain_ratio", s.limiter_gain, "Lowest limiter gain of the last block.", "ratio");
-  page.gauge("peak_ratio", s.peak, "Peak of the last block, full scale 1.", "ratio");
-  page.gauge("rms_ratio", s.rms, "RMS of the last block, full scale 1.", "ratio");
+  page.gauge("limiter_gain_since_scrape_ratio", s.limiter_gain, "Lowest limiter gain since the last scrape.",
+             "ratio");
+  page.gauge("peak_since_scrape_ratio", s.output.peak, "Peak since the last scrape, full scale 1.", "ratio");
+  page.gauge("rms_since_scrape_ratio", s.output.rms, "RMS since the last scrape, full scale 1.", "ratio");
   page.gauge("output_gain_ratio", s.output_gain, "Safety rules, mute and fades together.", "ratio");
 }
 
@@ -96,20 +96,93 @@ void add_buses(Page& page, const Snapshot& s) {
   }
 }
 
+using LevelMember = double LevelSnapshot::*;
+
+void add_layers(Page& page, const Snapshot& s, const std::string& family, LevelMember member,
+                const char* help) {
+  page.family(family.c_str(), "gauge", help, "ratio");
+  page.sample(family, "layer=\"diesel\"", s.diesel.*member);
+  for (const BoomSnapshot& boom : s.booms) {
+    const auto add = [&](const std::string& layer, const LevelSnapshot& level) {
+      page.sample(family, fmt::format("boom=\"{}\",layer=\"{}\"", escaped(boom.name), layer), level.*member);
+    };
+    add("drill", boom.drill_level);
+    if (!boom.tool.empty()) add(boom.tool, boom.tool_level);
+  }
+}
+
+/// A gauge of every boom.
+template <class Value>
+void add_boom_gauge(Page& page, const Snapshot& s, const char* name, const char* help, const char* unit,
+                    Value value) {
+  page.family(name, "gauge", help, unit);
+  for (const BoomSnapshot& boom : s.booms)
+    page.sample(name, "boom=\"" + escaped(boom.name) + "\"", value(boom));
+}
+
+/// Shares by the labels of their series: one bank may serve two situations.
+std::map<std::string, double> bank_shares(const BoomSnapshot& boom) {
+  std::map<std::string, double> shares;
+  for (const BankSnapshot& bank : boom.banks)
+    shares[fmt::format("boom=\"{}\",bank=\"{}\",rods=\"{}\",rock=\"{}\"", escaped(boom.name),
+                       escaped(bank.name), bank.rods > 0 ? std::to_string(bank.rods) : "any",
+                       bank.rock.empty() ? "any" : escaped(bank.rock))] += bank.share;
+  return shares;
+}
+
+void add_booms(Page& page, const Snapshot& s) {
+  page.family("boom_situation", "stateset", "What the drill is doing.");
+  for (const BoomSnapshot& boom : s.booms)
+    for (int i = 0; i < kSituationCount; ++i)
+      page.sample(
+          "boom_situation",
+          fmt::format("boom=\"{}\",rigsound_boom_situation=\"{}\"", escaped(boom.name), kSituationNames[i]),
+          boom.situation == static_cast<Situation>(i) ? 1 : 0);
+  add_boom_gauge(page, s, "boom_feed_deviation",
+                 "Feed: -1 underfeed bank, 0 normal, 1 overfeed bank, and beyond.", "",
+                 [](const BoomSnapshot& b) { return b.feed_deviation; });
+  add_boom_gauge(page, s, "boom_hammering", "1 while the hammer works.", "",
+                 [](const BoomSnapshot& b) { return b.hammering ? 1 : 0; });
+  add_boom_gauge(page, s, "boom_impacts_wanted_hertz",
+                 "Impacts a second asked for; 0 while the hammer rests.", "hertz",
+                 [](const BoomSnapshot& b) { return b.impacts_wanted_hz; });
+  add_boom_gauge(page, s, "boom_impacts_made_hertz", "Impacts of the last second.", "hertz",
+                 [](const BoomSnapshot& b) { return b.impacts_made_hz; });
+  page.family("boom_bank_share_ratio", "gauge", "How much of the drill's sound is this bank's.", "ratio");
+  for (const BoomSnapshot& boom : s.booms)
+    for (const auto& [labels, share] : bank_shares(boom)) page.sample("boom_bank_share_ratio", labels, share);
+}
+
+void add_signal_counter(Page& page, const Snapshot& s, const std::string& family, const char* help,
+                        std::uint64_t SignalSnapshot::*count) {
+  page.family(family.c_str(), "counter", help);
+  for (const SignalSnapshot& signal : s.signals)
+    page.sample(family + "_total", "signal=\"" + escaped(signal.name) + "\"", signal.*count);
+}
+
 void add_signals(Page& page, const Snapshot& s) {
   page.family("signal_age_seconds", "gauge", "Time since the signal was last good.", "seconds");
   for (const SignalSnapshot& signal : s.signals)
     if (signal.age_s >= 0)
       page.sample("signal_age_seconds", "signal=\"" + escaped(signal.name) + "\"", signal.age_s);
-  page.family("signal_value", "gauge", "What the engine is given, in the signal's unit.");
+  page.family("signal_value", "gauge", "What the engine is given, once a bus or a user has said it.");
   for (const SignalSnapshot& signal : s.signals)
-    page.sample("signal_value", "signal=\"" + escaped(signal.name) + "\"", signal.value);
+    if (signal.age_s >= 0 || signal.validity == name(Validity::kManual))
+      page.sample("signal_value",
+                  fmt::format("signal=\"{}\",unit=\"{}\"", escaped(signal.name), escaped(signal.unit)),
+                  signal.value);
+  add_signal_counter(page, s, "signal_refused", "Values that were none, or out of range.",
+                     &SignalSnapshot::refused);
+  add_signal_counter(page, s, "signal_clamped", "Values brought to the end of the range.",
+                     &SignalSnapshot::clamped);
   page.family("signal_state", "stateset", "Whether the signal may be believed.");
   for (const SignalSnapshot& signal : s.signals)
-    for (const char* state : kStates)
+    for (int i = 0; i < kValidityCount; ++i) {
+      const std::string_view state = name(static_cast<Validity>(i));
       page.sample("signal_state",
                   fmt::format("signal=\"{}\",rigsound_signal_state=\"{}\"", escaped(signal.name), state),
                   signal.validity == state ? 1 : 0);
+    }
 }
 
 }  // namespace
@@ -117,6 +190,11 @@ void add_signals(Page& page, const Snapshot& s) {
 std::string to_openmetrics(const Snapshot& s) {
   Page page;
   add_audio(page, s);
+  add_layers(page, s, "layer_peak_since_scrape_ratio", &LevelSnapshot::peak,
+             "Peak of a layer before pan, output level and limiter, since the last scrape.");
+  add_layers(page, s, "layer_rms_since_scrape_ratio", &LevelSnapshot::rms,
+             "RMS of a layer before pan, output level and limiter, since the last scrape.");
+  add_booms(page, s);
   add_buses(page, s);
   add_signals(page, s);
   page.counter("lost_log_entries", s.lost_log_entries,

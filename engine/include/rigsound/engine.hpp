@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "rigsound/engine_view.hpp"
 #include "rigsound/machine/machine_state.hpp"
 #include "rigsound/options.hpp"
 #include "rigsound/sound_set.hpp"
@@ -31,7 +32,8 @@ class Engine {
   /// first sample on. Never allocates, locks, throws or calls libm. Thread: RT.
   void process(const MachineState& state, float* out) noexcept;
 
-  EngineMeters meters() const noexcept;  ///< Thread: RT
+  EngineMeters meters() const noexcept;     ///< Thread: RT
+  const EngineView& view() const noexcept;  ///< of the last block; valid until the next. Thread: RT
   const EngineOptions& options() const noexcept;
 
  private:

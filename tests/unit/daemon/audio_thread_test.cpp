@@ -58,6 +58,8 @@ struct Setup {
       exchange.change([&](SignalBoard& board) {
         board.take({{Signal::kEngineRpm}, 800.0 + i % 1000, Validity::kValid, 0.001 * i});
         board.take({{Signal::kFeedPressureBar}, static_cast<double>(i % 150), Validity::kValid, 0.001 * i});
+        if (i % 50 == 20) board.hold({Signal::kFeedPressureBar}, 200);  // a user steps in
+        if (i % 50 == 40) board.release({Signal::kFeedPressureBar});
       });
       recorder.poll(0.01 * i);
       std::this_thread::sleep_for(std::chrono::microseconds(300));

@@ -41,9 +41,13 @@ typedef struct rigsound_levels {
 /** Version of the library, "1.2.3". Thread: any. */
 RIGSOUND_API const char* rigsound_version(void);
 
-/** Reads a rig file and its sound set and builds the engine. NULL when that cannot be done;
- * rigsound_last_error(NULL) then says why, with file, line and key. Thread: OFF. */
-RIGSOUND_API rigsound_handle* rigsound_open(const char* rig_file);
+/** Reads a rig file and its sound set, or a sound set that was packed with its rig (`rigsound pack --rig`), and builds
+ *  the engine. NULL when that cannot be done; rigsound_last_error(NULL) then says why, with file, line and key.
+ *  Thread: OFF. */
+RIGSOUND_API rigsound_handle* rigsound_open(const char* file);
+
+/** The same of a packed sound set in memory, which may be gone afterwards. Thread: OFF. */
+RIGSOUND_API rigsound_handle* rigsound_open_memory(const void* bytes, size_t size);
 
 /** Ends the handle; NULL is let pass. Thread: OFF. */
 RIGSOUND_API void rigsound_close(rigsound_handle* rig);

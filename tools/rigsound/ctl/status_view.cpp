@@ -5,17 +5,12 @@
 #include <algorithm>
 #include <iterator>
 
+#include "ctl/status_words.hpp"
+
 namespace rigsound::tools {
 namespace {
 
-constexpr int kMeterWidth = 40;
-constexpr double kMeterFloor_db = -60;
-
-std::string meter(double db) {
-  const double share = std::clamp((db - kMeterFloor_db) / -kMeterFloor_db, 0.0, 1.0);
-  const auto filled = static_cast<std::size_t>(share * kMeterWidth + 0.5);
-  return std::string(filled, '#') + std::string(kMeterWidth - filled, '.');
-}
+constexpr int kBarWidth = 40;
 
 std::string age(const Json& signal) {
   if (signal["age_s"].is_null()) return "-";
@@ -25,22 +20,59 @@ std::string age(const Json& signal) {
 
 std::string audio_lines(const Json& s) {
   const Json& a = s["audio"];
-  const Json& m = s["meters"];
   return fmt::format(
-      "rigsoundd {}  {}  up {:.0f} s{}\n"
+      "rigsoundd {}  {}  up {}{}{}{}\n"
       "audio    {}{}\n"
       "         {}, block {:.2f} ms, load {:.1f} % (mean {:.0f} us, worst {:.0f} us), {} deadline misses\n"
-      "         {} xruns, {} suspends, {} losses of the card, {} blocks\n"
-      "peak     {} {:6.1f} dBFS\nrms      {} {:6.1f} dBFS\nlimiter  {:.1f} dB\n",
-      s["version"].get<std::string>(), s["rig"].get<std::string>(), s["uptime_s"].get<double>(),
-      s["muted"].get<bool>() ? "  MUTED" : "",
+      "         {} xruns, {} suspends, {} losses of the card, {} blocks\n",
+      s["version"].get<std::string>(), s["rig"].get<std::string>(), duration_text(s["uptime_s"]),
+      s["muted"].get<bool>() ? "  MUTED" : "", s["paused"].get<bool>() ? "  PAUSED" : "",
+      s["no_buses"].get<bool>() ? "  MANUAL, NO BUS" : "",
       a["playing"].get<bool>() ? "" : "NO SOUND: ", a["card"].get<std::string>(),
       a["scheduling"].get<std::string>(), a["block_ms"].get<double>(), a["load"].get<double>() * 100,
       a["block_mean_us"].get<double>(), a["block_worst_us"].get<double>(),
       a["deadline_misses"].get<std::uint64_t>(), a["xruns"].get<std::uint64_t>(),
-      a["suspends"].get<std::uint64_t>(), a["losses"].get<std::uint64_t>(), a["blocks"].get<std::uint64_t>(),
-      meter(m["peak_db"]), m["peak_db"].get<double>(), meter(m["rms_db"]), m["rms_db"].get<double>(),
-      m["limiter_db"].get<double>());
+      a["suspends"].get<std::uint64_t>(), a["losses"].get<std::uint64_t>(), a["blocks"].get<std::uint64_t>());
+}
+
+std::string level_line(const std::string& name, const Json& level) {
+  const std::string peak = db_text(level["peak_db"]), rms = db_text(level["rms_db"]);
+  const std::string figures = peak == rms ? peak : fmt::format("{} dBFS peak, {} rms", peak, rms);
+  return fmt::format("{:<8} {} {}\n", name, bar_of(level["peak_db"], kBarWidth), figures);
+}
+
+std::string meter_lines(const Json& s) {
+  const Json& m = s["meters"];
+  return level_line("output", m) + level_line("diesel", m["diesel"]) +
+         fmt::format("limiter  {:.1f} dB, output gain {:.2f}, {} clicks lost\n",
+                     m["limiter_db"].get<double>(), m["output_gain"].get<double>(),
+                     m["lost_clicks"].get<std::uint64_t>());
+}
+
+std::string banks_line(const Json& boom) {
+  std::string text;
+  for (const Json& bank : boom["banks"]) {
+    const int rods = bank["rods"];
+    const std::string rock = bank["rock"];
+    fmt::format_to(std::back_inserter(text), "{}{} {:.0f} % ({} rods, {})", text.empty() ? "" : ", ",
+                   bank["name"].get<std::string>(), bank["share"].get<double>() * 100,
+                   rods > 0 ? std::to_string(rods) : "any", rock.empty() ? "any rock" : rock);
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string boom_lines(const Json& boom) {
+  std::string text = fmt::format(
+      "boom     {}: {}, feed deviation {:+.2f}{}\n"
+      "         impacts {:.1f} Hz wanted, {:.1f} Hz made; asked for {} rods, rock {}\n"
+      "         banks: {}\n",
+      boom["name"].get<std::string>(), boom["situation"].get<std::string>(),
+      boom["feed_deviation"].get<double>(), boom["hammering"].get<bool>() ? "" : ", hammer off",
+      boom["impacts_wanted_hz"].get<double>(), boom["impacts_made_hz"].get<double>(), boom["rods"].get<int>(),
+      boom["rock"].get<std::string>(), banks_line(boom));
+  for (const auto& [layer, level] : boom["levels"].items()) text += level_line("  " + layer, level);
+  const std::string controls = controls_text(boom);
+  return text + "         controls: " + (controls.empty() ? "all neutral" : controls) + "\n";
 }
 
 std::string words(std::string key) {
@@ -69,10 +101,11 @@ std::string bus_lines(const Json& s) {
 std::string signal_lines(const Json& s) {
   std::string text;
   for (const Json& signal : s["signals"]) {
-    if (signal["age_s"].is_null()) continue;
-    fmt::format_to(std::back_inserter(text), "  {:<28} {:>10.3f} {:<6} {:>8}  {}\n",
-                   signal["name"].get<std::string>(), signal["value"].get<double>(),
-                   signal["unit"].get<std::string>(), age(signal), signal["validity"].get<std::string>());
+    const std::string refused = refused_text(signal);
+    if (!is_told(signal) && refused.empty()) continue;
+    fmt::format_to(std::back_inserter(text), "  {:<28} {:>10} {:<6} {:>8}  {}{}{}\n",
+                   signal["name"].get<std::string>(), value_text(signal), signal["unit"].get<std::string>(),
+                   age(signal), signal["validity"].get<std::string>(), refused.empty() ? "" : ", ", refused);
   }
   return text.empty() ? "signals  none seen yet\n" : "signals\n" + text;
 }
@@ -88,7 +121,9 @@ std::string session_line(const Json& s) {
 }  // namespace
 
 std::string status_text(const Json& status) {
-  return audio_lines(status) + bus_lines(status) + signal_lines(status) + session_line(status);
+  std::string text = audio_lines(status) + meter_lines(status) + bus_lines(status);
+  for (const Json& boom : status["booms"]) text += boom_lines(boom);
+  return text + signal_lines(status) + session_line(status);
 }
 
 }  // namespace rigsound::tools

@@ -1,6 +1,7 @@
 // One rig file: everything the daemon, `render`, `decode` and `check` are told at start-up.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 
 #include "rigsound/audio/audio_options.hpp"
 #include "rigsound/can/can_options.hpp"
+#include "rigsound/config/packed_set.hpp"
 #include "rigsound/engine.hpp"
 #include "rigsound/machine/signal_board.hpp"
 #include "rigsound/modbus/modbus_options.hpp"
@@ -31,7 +33,7 @@ struct Rig {
   std::filesystem::path file;
   audio::AudioOptions audio;
   EngineOptions engine;                 ///< BoomOptions::tool is filled in by load_sounds
-  std::filesystem::path sound_set;      ///< empty when the rig names none
+  std::filesystem::path sound_set;      ///< folder or packed file; empty when the rig names none
   int sound_set_line = 0;               ///< of the rig file, for messages
   std::vector<std::string> boom_tools;  ///< names, one a boom; empty: none that rings
   std::vector<int> boom_tool_lines;
@@ -44,18 +46,28 @@ struct Rig {
       doubts;  ///< what is probably a mistake, `FILE:LINE: KEY: what is odd, what was meant?`
 };
 
+/// Whether a rig's buses, and the files they name, are wanted at all.
+enum class Buses : std::uint8_t { kRead, kLeftOut };
+
 /// Reads and checks a rig file and the DBC files it names. Only keys of a bus without a sensible default
 /// are required ([[can]] interface and dbc); everything else has the default that config/rigs/demo.toml
 /// shows. Paths in the file are relative to its folder. Errors: InputError. Thread: OFF.
-Rig load_rig(const std::filesystem::path& file);
+Rig load_rig(const std::filesystem::path& file, Buses buses = Buses::kRead);
 
 /// The same from text; `file` is for messages and for paths relative to its folder.
-Rig parse_rig(std::string_view text, const std::filesystem::path& file);
+Rig parse_rig(std::string_view text, const std::filesystem::path& file, Buses buses = Buses::kRead);
 
 /// Reads the rig's sound set at the rig's rate and finds the tool of each boom in it. A set without a
 /// background gets the built-in diesel: a rig whose engine runs is never silent.
 /// Errors: InputError, also when the rig names no sound set. Thread: OFF.
 SoundSet load_sounds(Rig& rig);
+
+/// The same of a set that is read already.
+SoundSet sounds_of(Rig& rig, const SoundSetParts& parts);
+
+/// The rig that a set was packed with, as its rig file would give it, without buses. `file` is for messages.
+/// Errors: InputError when it was packed without one. Thread: OFF.
+Rig rig_of(const PackedSet& set, const std::filesystem::path& file);
 
 /// The engine of the rig with the sounds of load_sounds. Errors: InputError naming the sound set when the
 /// engine cannot play it. Thread: OFF.

@@ -1,15 +1,13 @@
-// A sound set folder as the engine wants it.
+// A sound set as a rig names it: a folder, or a packed file.
 #pragma once
 
 #include <filesystem>
 
-#include "rigsound/sound_set.hpp"
+#include "rigsound/config/sound_set_parts.hpp"
 
 namespace rigsound::config {
 
-/// Reads SET/soundset.toml and all that it names. Banks recorded at another rate are resampled to
-/// `sample_rate` (Hz). The order of uses, rocks, tools and backgrounds is that of soundset.toml.
 /// Errors: InputError. Thread: OFF.
-SoundSet load_sound_set(const std::filesystem::path& sound_set, double sample_rate);
+SoundSetParts load_sound_set(const std::filesystem::path& sound_set);
 
 }  // namespace rigsound::config

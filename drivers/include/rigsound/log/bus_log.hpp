@@ -29,14 +29,6 @@ struct LogOptions {
   std::vector<std::pair<std::string, std::string>> interfaces;  ///< CAN interface of the log, and of the rig
 };
 
-/// Readings of a signal that were no value.
-struct Refusal {
-  SignalId id;
-  Validity why = Validity::kOutOfRange;
-  std::uint64_t count = 0;
-  double last = 0;  ///< kOutOfRange: the last value refused
-};
-
 /// Time 0 is the first entry of the log. Thread: OFF.
 class BusLog {
  public:
@@ -50,15 +42,6 @@ class BusLog {
 
   /// What a user should know of a log read to its end.
   virtual std::vector<LogNote> notes() const = 0;
-
-  const std::vector<Refusal>& refusals() const { return refusals_; }  ///< so far
-
- protected:
-  /// Puts a reading on the board, and counts it when it is no value; returns whether it was one.
-  bool take(const Reading& reading, SignalBoard& board);
-
- private:
-  std::vector<Refusal> refusals_;
 };
 
 /// Modbus/TCP, UDP, or CAN as candump, Vector ASC, PEAK TRC or a capture has it; `-` is standard input, gzip

@@ -18,8 +18,9 @@ struct Change {
 
 /// Plays the whole log and reports every change of every signal in `watched`: the first valid value, then
 /// whenever the value differs. Safety rules act on the way; between frames that lie far apart their
-/// fades are followed in steps of 10 ms. Errors: InputError. Thread: OFF.
-void trace_changes(BusLog& log, const SafetyOptions& safety, const std::vector<SignalId>& watched,
-                   const std::function<void(const Change&)>& report);
+/// fades are followed in steps of 10 ms. Returns what is known of the signals in the end. Errors: InputError.
+/// Thread: OFF.
+SignalBoard trace_changes(BusLog& log, const SafetyOptions& safety, const std::vector<SignalId>& watched,
+                          const std::function<void(const Change&)>& report);
 
 }  // namespace rigsound::log

@@ -23,6 +23,8 @@ class LogStates : public audio::StateSource {
     return &state_;
   }
 
+  const SignalBoard& board() const { return board_; }  ///< what is known of the signals so far
+
  private:
   log::BusLog& log_;
   SafetyOptions safety_;

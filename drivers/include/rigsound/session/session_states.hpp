@@ -21,13 +21,16 @@ class SessionStates : public audio::StateSource {
   std::uint64_t blocks() const { return blocks_; }          ///< of the whole chunks
   std::uint64_t bytes_ignored() const { return ignored_; }  ///< after them: a torn or damaged end
 
-  const MachineState* state_of(std::uint64_t number) override;
-
- private:
+  /// From `block` on.
   struct Change {
     std::uint64_t block = 0;
     MachineState state;
   };
+  const std::vector<Change>& changes() const { return changes_; }  ///< in order, the first of block 0
+
+  const MachineState* state_of(std::uint64_t number) override;
+
+ private:
   void read_chunks(const std::string& bytes, std::size_t at);
 
   SessionHeader header_;

@@ -12,7 +12,7 @@
 
 namespace rigsound::session {
 
-constexpr int kSessionFormat = 3;  ///< 3: more signals than one mask of 64 bits holds
+constexpr int kSessionFormat = 4;  ///< 4: signals that a user holds are marked
 
 /// What must be the same for the same samples to come out.
 struct SessionHeader {

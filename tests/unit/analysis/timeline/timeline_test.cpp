@@ -7,10 +7,10 @@
 #include "png_file.hpp"
 #include "rigsound/analysis/timeline.hpp"
 #include "rigsound/analysis/wave_file.hpp"
+#include "rigsound/session/state_table.hpp"
 #include "temporary_folder.hpp"
 #include "timeline/activity.hpp"
 #include "timeline/level_picture.hpp"
-#include "rigsound/session/state_table.hpp"
 
 using namespace rigsound;
 using namespace rigsound::analysis;
@@ -133,6 +133,18 @@ TEST_CASE("rattling, a standing diesel and a second boom") {
   CHECK(render.complaint_of() == "");
 }
 
+TEST_CASE("rows of what follows from the signals, of controls and of manual marks are passed over") {
+  const Render plain(kStates);
+  const Render with(
+      std::string(kStates) +
+      "99,situation,overfeed\n99,left.feed_deviation,1.05\n99,decay_factor,2\n99,output_gain,0.5\n"
+      "99,manual,engine_rpm left.rattling\n99,percussion,absent\n");
+  const StateTable states = read_states(with.states);
+  CHECK(states.booms == read_states(plain.states).booms);
+  CHECK(states.changes.size() == read_states(plain.states).changes.size() + 1);
+  CHECK(states.changes.back().value == info(Signal::kPercussion).absent);
+}
+
 TEST_CASE("a sine lies in the row of its frequency, with its level") {
   constexpr double kHz = 17.0 * kRate / 4096;  // in the middle of a bin, where rows are narrower than bins
   constexpr int kRows = 240;
@@ -182,10 +194,10 @@ TEST_CASE("an input is never written over, and what is no sound is refused") {
   const std::string before = test::content(render.sound);
   CHECK(complaint([&] {
           write_timeline(render.sound, render.sound, render.states, {});
-        }).find("is an input") != std::string::npos);
+        }).find("is read as well as written") != std::string::npos);
   CHECK(complaint([&] {
           write_timeline(render.states, render.sound, render.states, {});
-        }).find("is an input") != std::string::npos);
+        }).find("is read as well as written") != std::string::npos);
   CHECK(test::content(render.sound) == before);
   CHECK(test::content(render.states) == kStates);
   CHECK(complaint([&] {

@@ -78,7 +78,7 @@ TEST_CASE("a sound set loads at the engine's rate, each bank once, its trims add
   index.backgrounds = {"diesel"};
   config::merge_index(set.path, index);
 
-  const SoundSet loaded = config::load_sound_set(set.path, 48000);
+  const SoundSet loaded = config::sound_set_of(config::load_sound_set(set.path), 48000);
   REQUIRE(loaded.banks.size() == 2);
   CHECK(loaded.banks[0].sample_rate == 48000);
   CHECK(loaded.banks[0].mean_gap_samples == doctest::Approx(1600));
@@ -104,7 +104,7 @@ TEST_CASE("a sound set loads at the engine's rate, each bank once, its trims add
 TEST_CASE("a sound set that cannot be played says what is wrong and where") {
   TemporaryFolder set;
   const std::string file = (set.path / "soundset.toml").string();
-  const auto load = [&] { config::load_sound_set(set.path, 48000); };
+  const auto load = [&] { config::sound_set_of(config::load_sound_set(set.path), 48000); };
   CHECK(complaint(load) == file + ": cannot be opened, expected a readable file");
   config::merge_index(set.path, five_situations("missing"));
   const std::string text = content(set.path / "soundset.toml");

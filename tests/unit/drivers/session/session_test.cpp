@@ -35,6 +35,8 @@ MachineState state(int i) {
   s.boom[static_cast<std::size_t>(i % kMaxBooms)].feed_pressure_bar = static_cast<float>(i % 200);
   s.boom[1].rattling = i % 3 == 0 ? Rattling::kOpen : Rattling::kClosed;
   s.boom[3].rock = static_cast<std::uint16_t>(i * 7);
+  s.by_hand = static_cast<std::uint32_t>(i % 5);
+  s.boom[2].by_hand = static_cast<std::uint32_t>(i % 7);
   s.boom[3].controls.attack_factor = 1.0F / static_cast<float>(i + 1);
   return s;
 }
@@ -79,7 +81,7 @@ TEST_CASE("Every field of a state survives the way into words and back") {
   StateWords words = words_of(MachineState{});
   CHECK(words.size() == kStateWords);
   MachineState all = state_of(words);
-  all.boom[kMaxBooms - 1].controls.decay_factor = 7;
+  all.boom[kMaxBooms - 1].by_hand = 7;
   CHECK(words_of(all).back() != words.back());  // the last field is the last word: none is forgotten
 }
 

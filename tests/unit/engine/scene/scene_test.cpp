@@ -63,8 +63,8 @@ TEST_CASE("the bank with the right rock and the nearest rod count is chosen") {
                  {Situation::kNormal, 0, 3, 3},
                  {Situation::kOverfeed, 0, -1, 4}};
   const auto chosen = [&sounds](Situation s, int rods, int rock) {
-    const ClickBank* bank = scene::choose_bank(sounds, s, rods, rock);
-    return bank ? static_cast<int>(bank - sounds.banks.data()) : -1;
+    const BankUse* use = scene::choose_bank(sounds, s, rods, rock);
+    return use ? use->bank : -1;
   };
   CHECK(chosen(Situation::kNormal, 2, 0) == 0);
   CHECK(chosen(Situation::kNormal, 5, 0) == 1);

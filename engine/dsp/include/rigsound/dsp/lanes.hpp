@@ -13,6 +13,14 @@ inline Lanes load(const double* p) noexcept {
   return v;
 }
 
+/// Two floats, exactly.
+inline Lanes load(const float* p) noexcept {
+  using Floats = float __attribute__((vector_size(8)));
+  Floats v;
+  std::memcpy(&v, p, sizeof v);
+  return __builtin_convertvector(v, Lanes);
+}
+
 inline void store(double* p, Lanes v) noexcept { std::memcpy(p, &v, sizeof v); }
 
 /// sum a[i] b[i] for n a multiple of 8: four accumulators of two lanes, added as

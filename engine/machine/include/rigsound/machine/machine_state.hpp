@@ -30,6 +30,7 @@ struct DrillControls {
 struct BoomState {
   RIGSOUND_BOOM_SIGNALS(RIGSOUND_MEMBER)
   DrillControls controls;
+  std::uint32_t by_hand = 0;  ///< signals that a user holds, bit by Signal; for the record, nobody hears it
 };
 
 /// A signal that was never seen has the value that means "absent".
@@ -37,14 +38,15 @@ struct MachineState {
   RIGSOUND_RIG_SIGNALS(RIGSOUND_MEMBER)
   float engine_rpm_slope = 0;  ///< r/min a second: how engine_rpm goes on until the next state
   float output_gain = 1;       ///< 0...1: safety rule `mute`, the user's mute and the daemon's fades together
+  std::uint32_t by_hand = 0;   ///< as BoomState's, of the signals of the rig
   std::array<BoomState, kMaxBooms> boom{};
 };
 
 #undef RIGSOUND_MEMBER
 #undef RIGSOUND_CONTROL_MEMBER
 
-/// Calls `visit` with every field in the order of the list: rig signals, slope, gain, then boom by boom its
-/// signals and its controls. `State`: MachineState, const or not.
+/// Calls `visit` with every field in the order of the list: rig signals, slope, gain, by hand, then boom by
+/// boom its signals, its controls, by hand. `State`: MachineState, const or not.
 template <class State, class Visit>
 void for_each_field(State& state, Visit visit) {
 #define RIGSOUND_VISIT_RIG(id, member, ...) visit(state.member);
@@ -53,9 +55,11 @@ void for_each_field(State& state, Visit visit) {
   RIGSOUND_RIG_SIGNALS(RIGSOUND_VISIT_RIG)
   visit(state.engine_rpm_slope);
   visit(state.output_gain);
+  visit(state.by_hand);
   for (auto& boom : state.boom) {
     RIGSOUND_BOOM_SIGNALS(RIGSOUND_VISIT_BOOM)
     RIGSOUND_DRILL_CONTROLS(RIGSOUND_VISIT_CONTROL)
+    visit(boom.by_hand);
   }
 #undef RIGSOUND_VISIT_RIG
 #undef RIGSOUND_VISIT_BOOM

@@ -22,8 +22,10 @@ enum class Validity : std::uint8_t {
   kBusDown,
   kErrorValue,
   kNotAvailable,
-  kOutOfRange
+  kOutOfRange,
+  kManual  ///< a user holds it: what buses say does not count
 };
+constexpr int kValidityCount = 8;
 std::string_view name(Validity v);
 
 /// What happens when a signal is no longer valid: keep its last good value, go to the value that means

@@ -40,12 +40,16 @@ struct SignalInfo {
 
   bool stepped() const noexcept { return kind == SignalKind::kWhole || kind == SignalKind::kWord; }
   bool takes(double value) const noexcept;  ///< whether a bus may say `value`; NaN never. Thread: any
+  Range range() const noexcept;             ///< of what a user may set. Thread: any
 };
 
 /// In the list's order: one entry per Signal. Thread: any.
 const std::array<SignalInfo, kSignalCount>& signal_table();
 const SignalInfo& info(Signal s);
 std::optional<Signal> signal_by_name(std::string_view name);
+
+/// The value of a word; nothing when it is none of the signal's. Thread: any
+std::optional<double> value_of_word(Signal s, std::string_view word);
 
 /// The word for a value of a signal that has words ("closed", "on"), or empty when the value is a plain
 /// number.
@@ -56,6 +60,10 @@ struct SignalId {
   Signal signal{};
   std::uint8_t boom = 0;
 };
+
+/// Whether a user holds the signal in this state.
+bool is_by_hand(const MachineState& state, SignalId id) noexcept;
+void mark_by_hand(MachineState& state, SignalId id) noexcept;
 
 /// Calls `visit(SignalId)` for every signal of a rig with `booms` booms: rig signals, then boom by boom.
 template <class Visit>
@@ -76,6 +84,7 @@ struct ControlInfo {
   float DrillControls::*field;
 
   bool takes(double value) const noexcept;  ///< Thread: any
+  Range range() const noexcept;             ///< Thread: any
 };
 const std::array<ControlInfo, 6>& control_table();
 

@@ -1,0 +1,47 @@
+// Peak and rms of a signal over a block.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "rigsound/dsp/lanes.hpp"
+#include "rigsound/engine_view.hpp"
+
+namespace rigsound::mix {
+
+/// Squares in lanes: the peak is the root of the largest. Thread: RT.
+class LevelMeter {
+ public:
+  /// `count` samples, float or double; a multiple of 8.
+  template <class Sample>
+  void add(const Sample* x, int count) noexcept {
+    dsp::Lanes s0 = sum_, s1{}, s2{}, s3{}, m0 = most_, m1{}, m2{}, m3{};
+    for (int n = 0; n < count; n += 8) {
+      take_pair(dsp::load(x + n), s0, m0);
+      take_pair(dsp::load(x + n + 2), s1, m1);
+      take_pair(dsp::load(x + n + 4), s2, m2);
+      take_pair(dsp::load(x + n + 6), s3, m3);
+    }
+    sum_ = (s0 + s1) + (s2 + s3);
+    most_ = larger(larger(m0, m1), larger(m2, m3));
+  }
+
+  /// Of `samples` samples, those that were added and zeros, at `gain`; begins anew.
+  LayerLevel take(double gain, int samples) noexcept {
+    const double most = std::max(most_[0], most_[1]), sum = sum_[0] + sum_[1];
+    *this = {};
+    return {static_cast<float>(gain * std::sqrt(most)), static_cast<float>(gain * std::sqrt(sum / samples))};
+  }
+
+ private:
+  static void take_pair(dsp::Lanes x, dsp::Lanes& sum, dsp::Lanes& most) noexcept {
+    const dsp::Lanes square = x * x;
+    sum += square;
+    most = larger(most, square);
+  }
+  static dsp::Lanes larger(dsp::Lanes a, dsp::Lanes b) noexcept { return a < b ? b : a; }
+
+  dsp::Lanes sum_{}, most_{};
+};
+
+}  // namespace rigsound::mix

@@ -1,0 +1,115 @@
+// A daemon in this process, with a small rig and the line to its control socket.
+#pragma once
+
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <sys/signalfd.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+
+#include "config/sound_set/example_bank.hpp"
+#include "daemon.hpp"
+#include "rigsound/config/bank_files.hpp"
+#include "rigsound/config/sound_set_index.hpp"
+#include "temporary_folder.hpp"
+
+namespace rigsound::test {
+namespace fs = std::filesystem;
+
+inline config::SoundSetIndex all_situations(double gain_db) {
+  config::SoundSetIndex index;
+  for (int s = 0; s < kSituationCount; ++s) {
+    config::BankEntry entry;
+    entry.name = "a";
+    entry.situation = static_cast<Situation>(s);
+    entry.gain_db = gain_db;
+    index.banks.push_back(entry);
+  }
+  return index;
+}
+
+/// A rig without card and bus whose sound set lies beside it.
+struct SmallRig {
+  SmallRig() {
+    ClickBank bank = example_bank("a");
+    bank.gain_db = -60;
+    config::save_bank(folder.path / "set", bank, {});
+    trim_db(0);
+    write_rig("");
+  }
+  /// `more`: what stands below the sound and the socket.
+  void write_rig(const std::string& more) const {
+    folder.write("rig.toml", "[audio]\ndevice = \"null\"\n[sound]\nset = \"set\"\n[control]\nsocket = \"" +
+                                 socket() + "\"\n" + more);
+  }
+  void trim_db(double gain_db) const {
+    fs::remove(folder.path / "set/soundset.toml");
+    config::merge_index(folder.path / "set", all_situations(gain_db));
+  }
+  std::string socket() const { return (folder.path / "c").string(); }
+
+  TemporaryFolder folder;
+};
+
+/// What the daemon answers to one request.
+inline nlohmann::json ask(const std::string& path, const nlohmann::json& request) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  path.copy(address.sun_path, path.size());
+  const FileDescriptor fd(::socket(AF_UNIX, SOCK_STREAM, 0));
+  REQUIRE(::connect(fd.get(), reinterpret_cast<sockaddr*>(&address), sizeof address) == 0);
+  const std::string line = request.dump() + "\n";
+  REQUIRE(::send(fd.get(), line.data(), line.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(line.size()));
+  std::string text;
+  char bytes[4096];
+  while (text.empty() || text.back() != '\n') {
+    const ssize_t got = ::recv(fd.get(), bytes, sizeof bytes, 0);
+    if (got <= 0) break;
+    text.append(bytes, static_cast<std::size_t>(got));
+  }
+  return nlohmann::json::parse(text);
+}
+
+inline nlohmann::json status(const std::string& path) { return ask(path, {{"command", "status"}}); }
+
+/// The first status for which `holds`, or the last one after ten seconds.
+template <class Condition>
+nlohmann::json status_when(const std::string& socket, Condition holds) {
+  nlohmann::json last = status(socket);
+  for (int i = 0; i < 500 && !holds(last); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    last = status(socket);
+  }
+  return last;
+}
+
+/// Runs a daemon in a thread of its own until the end of the scope, as SIGTERM would end it.
+struct Running {
+  explicit Running(daemon::Daemon& daemon) {
+    REQUIRE(::pipe2(signals, O_NONBLOCK | O_CLOEXEC) == 0);
+    thread = std::thread([this, &daemon] { daemon.run(signals[0]); });
+  }
+  ~Running() {
+    signalfd_siginfo info{};
+    info.ssi_signo = SIGTERM;
+    if (::write(signals[1], &info, sizeof info) != sizeof info) std::abort();
+    thread.join();
+    ::close(signals[0]);
+    ::close(signals[1]);
+  }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+  int signals[2] = {-1, -1};
+  std::thread thread;
+};
+
+}  // namespace rigsound::test

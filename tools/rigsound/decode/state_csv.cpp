@@ -1,0 +1,85 @@
+#include "decode/state_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+#include "rigsound/session/state_rows.hpp"
+
+namespace rigsound::tools {
+namespace {
+
+/// The shortest that reads as this state's value; a value that no bus can say is one that is absent.
+std::string value_text(Signal signal, double value) {
+  if (!info(signal).takes(value)) return std::string(session::kAbsent);
+  const std::string_view word = value_word(signal, value);
+  return word.empty() ? fmt::format("{}", static_cast<float>(value)) : std::string(word);
+}
+
+}  // namespace
+
+StateCsv::StateCsv(const config::Rig& rig)
+    : rig_(rig), situations_(rig.engine.booms.size(), session::SituationTrace(rig.engine.scene)) {}
+
+std::string StateCsv::label(int boom, std::string_view name) const {
+  return boom == 0 ? std::string(name) : fmt::format("{}.{}", rig_.engine.booms[boom].name, name);
+}
+
+void StateCsv::add(double time_s, const std::string& label, const std::string& value) {
+  fmt::format_to(std::back_inserter(text_), "{:.6f},{},{}\n", time_s, label, value);
+}
+
+void StateCsv::add_situation(double time_s, int boom, const BoomState& state) {
+  const session::SituationTrace::Change change = situations_[boom].update(state);
+  if (change.situation)
+    add(time_s, label(boom, session::kSituationRow), std::string(name(*change.situation)));
+  if (change.feed_deviation)
+    add(time_s, label(boom, session::kFeedDeviationRow), fmt::format("{:.2f}", *change.feed_deviation));
+}
+
+void StateCsv::add_state(double time_s, const MachineState& state) {
+  add_signals(time_s, state);
+  add_controls(time_s, state);
+  add_output_gain(time_s, state);
+  add_by_hand(time_s, state);
+  for (int b = 0; b < booms(); ++b) add_situation(time_s, b, state.boom[b]);
+  last_ = state;
+}
+
+void StateCsv::add_signals(double time_s, const MachineState& state) {
+  for_each_signal(booms(), [&](SignalId id) {
+    const double value = info(id.signal).get(state, id.boom);
+    if (value != info(id.signal).get(last_, id.boom))
+      add(time_s, config::signal_label(rig_, id), value_text(id.signal, value));
+  });
+}
+
+void StateCsv::add_controls(double time_s, const MachineState& state) {
+  for (int b = 0; b < booms(); ++b)
+    for (const ControlInfo& control : control_table()) {
+      const float value = state.boom[b].controls.*control.field;
+      if (value != last_.boom[b].controls.*control.field)
+        add(time_s, label(b, control.name), fmt::format("{}", value));
+    }
+}
+
+// A fade would say every block, so hundredths.
+void StateCsv::add_output_gain(double time_s, const MachineState& state) {
+  const std::string gain =
+      fmt::format("{:.2g}", std::round(static_cast<double>(state.output_gain) * 100) / 100);
+  if (gain != last_gain_) add(time_s, std::string(session::kOutputGainRow), gain);
+  last_gain_ = gain;
+}
+
+void StateCsv::add_by_hand(double time_s, const MachineState& state) {
+  std::string held;
+  for_each_signal(booms(), [&](SignalId id) {
+    if (is_by_hand(state, id)) held += (held.empty() ? "" : " ") + config::signal_label(rig_, id);
+  });
+  if (held.empty()) held = "none";
+  if (held != last_by_hand_) add(time_s, std::string(session::kManualRow), held);
+  last_by_hand_ = held;
+}
+
+}  // namespace rigsound::tools

@@ -1,0 +1,25 @@
+#include "levels.hpp"
+
+namespace rigsound::daemon {
+
+void Levels::take(const LevelWindow& closed) {
+  if (closed.number == taken_) return;
+  taken_ = closed.number;
+  last_[next_] = closed;
+  next_ = (next_ + 1) % kRecent;
+  scraped_.add(closed);
+}
+
+LevelWindow Levels::recent() const {
+  LevelWindow sum;
+  for (const LevelWindow& window : last_) sum.add(window);
+  return sum;
+}
+
+LevelWindow Levels::since_scrape() {
+  const LevelWindow sum = scraped_.blocks > 0 ? scraped_ : recent();
+  scraped_ = {};
+  return sum;
+}
+
+}  // namespace rigsound::daemon
