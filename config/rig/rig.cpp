@@ -146,6 +146,18 @@ void take_bus(Read read, std::vector<Options>& buses, std::vector<std::string>& 
   doubts.insert(doubts.end(), read.doubts.begin(), read.doubts.end());
 }
 
+void read_buses(TomlTable& root, const std::filesystem::path& folder, Rig& rig) {
+  for (TomlTable& table : root.tables("can"))
+    take_bus(read_can(table, folder, rig.engine.booms), rig.can, rig.doubts);
+  for (TomlTable& table : root.tables("modbus"))
+    take_bus(read_modbus(table, rig.engine.booms), rig.modbus, rig.doubts);
+  for (TomlTable& table : root.tables("udp")) {
+    rig.udp.push_back(read_udp(table, free_signals(rig)));
+    if (rig.udp.back().routes.empty())
+      table.fail("signals", "there is none left that no other bus delivers, expected one or more");
+  }
+}
+
 /// What the engine would refuse is refused where the file says it.
 void require_playable(const Rig& rig, const TomlTable& root) {
   try {
@@ -193,7 +205,7 @@ Rig parse_rig(std::string_view text, const std::filesystem::path& file, Buses bu
   if (buses == Buses::kRead)
     read_buses(root, folder, rig);
   else
-    for (const char* bus : {"can", "modbus", "udp"}) root.tables(bus);
+    for (const char* section : {"can", "modbus", "udp"}) root.expect(section);
   rig.safety = read_safety(root.table("safety"), stale_defaults(rig));
   set_down_ages(rig);
   rig.safety.idle_rpm = rig.engine.scene.idle_rpm;

@@ -1,4 +1,6 @@
-#include "rigsound/log/bus_log.hpp"
+#include "rigsound/log/log_note.hpp"
+
+#include <cstdint>
 
 namespace rigsound::log {
 
