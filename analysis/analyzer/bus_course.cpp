@@ -11,7 +11,7 @@ namespace rigsound::analysis {
 namespace {
 
 bool said(const SignalBoard& board, Signal signal) {
-  return board.entry({signal, 0}).validity != Validity::kNeverSeen;
+  return board.entry({signal, 0}).ever_good();
 }
 
 BusMoment moment_of(const MachineState& state, const SignalBoard& board, const scene::FeedRule& rule) {
@@ -30,7 +30,7 @@ BusMoment moment_of(const MachineState& state, const SignalBoard& board, const s
 }  // namespace
 
 BusCourse read_bus_course(const config::Rig& rig, const std::filesystem::path& log_file) {
-  const std::unique_ptr<log::BusLog> log = log::open_log(log_file, rig.can, rig.modbus);
+  const std::unique_ptr<log::BusLog> log = log::open_log(log_file, config::buses_of(rig), {});
   SignalBoard board;
   StateResolver resolver;
   scene::FeedRule rule(rig.engine.scene);

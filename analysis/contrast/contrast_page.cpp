@@ -7,6 +7,7 @@
 #include "chart/markup_text.hpp"
 #include "chart/style_sheet.hpp"
 #include "contrast/contrast_charts.hpp"
+#include "contrast/listening.hpp"
 #include "report/page_style.hpp"
 #include "rigsound/file/atomic_file.hpp"
 
@@ -138,13 +139,15 @@ std::string method(const Contrast& c) {
       "right.</p>\n<p>The "
       "listener is a linear discriminant over third-octave levels, modulation spectrum and rate, learned "
       "from all "
-      "runs but the one that it is asked about, with the noise of an ear: 2 dB in each band, 2.5 % in the "
-      "rate. It "
-      "does not tire and knows both sounds; take its answer as the earliest feed that can be heard.</p>\n"
-      "<p>Loudness by ISO 532-1 (Zwicker, stationary, free field), with {:g} dB SPL at the ear for a sine of "
-      "full "
-      "scale.</p></section>\n",
-      o.runs, o.seconds, kFloors, 100 * kToldRight, o.full_scale_db_spl);
+      "runs but the one that it is asked about, with the noise of an ear: {:g} dB in each third octave, {:g} "
+      "dB in "
+      "each of modulation, {:g} % in the rate. It does not tire and knows both sounds; take its answer as "
+      "the "
+      "earliest feed that can be heard.</p>\n<p>Loudness by ISO 532-1 (Zwicker, stationary, free field), "
+      "with {:g} "
+      "dB SPL at the ear for a sine of full scale.</p></section>\n",
+      o.runs, o.seconds, kFloors, 100 * kToldRight, kBandNoise_db, kModulationNoise_db, 100 * kRateNoise,
+      o.full_scale_db_spl);
 }
 
 }  // namespace

@@ -8,10 +8,6 @@
 namespace rigsound::analysis {
 namespace {
 
-// Noise of the ear, standard deviations. 2 dB in each third octave make 0.4 dB of them all, which gives the
-// just noticeable differences of level that are measured: half a decibel of broadband noise, two or three in
-// one band among many. A tempo is noticed to change by 2 to 3 %, the depth of a modulation by 1 to 2 dB.
-constexpr double kBandNoise_db = 2, kModulationNoise_db = 3.5, kRateNoise = 0.025;
 constexpr double kLowestModulation_hz = 3.9;  // below it a second is too short
 
 double mean_difference(const BandLevels& a, const BandLevels& b) {

@@ -40,7 +40,6 @@ Bytes drill1(const DrillMoment& moment) {
   put(bytes, 0, moment.feed_bar / 0.01);
   bytes[4] = static_cast<std::uint8_t>(0xF0 | (moment.hammering ? 1 : 0) << 2);  // not rattling
   bytes[5] = static_cast<std::uint8_t>(moment.rods);
-  bytes[6] = 0;  // the first rock
   return bytes;
 }
 

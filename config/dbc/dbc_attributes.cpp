@@ -49,9 +49,11 @@ void DbcAttributes::read_value(DbcCursor& at) {
   const std::string object = at.at_word() ? at.expect_word("BO_, SG_, BU_ or EV_") : "";
   std::int64_t id = 0;
   if (object == "BO_" || object == "SG_") id = at.expect_integer("a message identifier", 0, 0xFFFFFFFF);
-  if (object == "SG_" || object == "BU_" || object == "EV_") at.expect_word("a name");
+  const bool named = object == "SG_" || object == "BU_" || object == "EV_";
+  const std::string owner = named ? at.expect_word("a name") : "";
   const std::string value = value_text(at);
   if (object == "BO_") message_values_[{name, id}] = value;
+  if (object == "SG_" && name == "SystemSignalLongSymbol") long_signals_[{owner, id}] = value;
   at.expect_sign(';');
 }
 
@@ -76,6 +78,11 @@ void DbcAttributes::apply(std::int64_t raw_id, DbcMessage& message) const {
   const auto cycle = of_message("GenMsgCycleTime", raw_id);
   if (const auto milliseconds = cycle ? as_number(*cycle) : std::nullopt; milliseconds && *milliseconds > 0)
     message.cycle_s = *milliseconds / 1000;
+  message.long_name = of_message("SystemMessageLongSymbol", raw_id).value_or("");
+  for (DbcSignal& signal : message.signals) {
+    const auto given = long_signals_.find({signal.name, raw_id});
+    if (given != long_signals_.end()) signal.long_name = given->second;
+  }
 }
 
 }  // namespace rigsound::config

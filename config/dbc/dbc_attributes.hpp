@@ -19,7 +19,8 @@ class DbcAttributes {
   void read_default(DbcCursor& at);     ///< BA_DEF_DEF_
   void read_value(DbcCursor& at);       ///< BA_
 
-  /// Sets cycle time and J1939 matching of a message whose identifier the file writes as `raw_id`.
+  /// Sets cycle time, J1939 matching and long names of a message whose identifier the file writes as
+  /// `raw_id`.
   void apply(std::int64_t raw_id, DbcMessage& message) const;
 
  private:
@@ -29,6 +30,7 @@ class DbcAttributes {
   std::map<std::string, std::vector<std::string>> words_;  ///< of enumerations
   std::map<std::string, std::string> defaults_;
   std::map<std::pair<std::string, std::int64_t>, std::string> message_values_;
+  std::map<std::pair<std::string, std::int64_t>, std::string> long_signals_;  ///< by name and raw identifier
 };
 
 }  // namespace rigsound::config

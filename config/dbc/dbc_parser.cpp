@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "dbc/dbc_attributes.hpp"
@@ -6,6 +7,7 @@
 #include "dbc/dbc_multiplexing.hpp"
 #include "dbc/dbc_signal_line.hpp"
 #include "rigsound/config/dbc.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "text/read_text.hpp"
 
 namespace rigsound::config {
@@ -18,13 +20,13 @@ constexpr std::int64_t kUnboundSignals = 0xC0000000;  // the pseudo message of s
 
 class Parser {
  public:
-  Parser(std::string_view text, const std::string& file) : file_(file), at_(dbc_tokens(text, file), file_) {}
+  Parser(std::string_view text, const std::string& file) : file_(file), at_(dbc_tokens(text), file_) {}
 
   Dbc parse() {
-    while (!at_.at_end()) section();
+    while (!at_.at_end()) guarded(std::nullopt, [this] { section(); });
     for (std::size_t i = 0; i < dbc_.messages.size(); ++i) {
       attributes_.apply(raw_ids_[i], dbc_.messages[i]);
-      resolve_multiplexing(dbc_.messages[i], mux_[i], file_);
+      guarded(i, [&] { resolve_multiplexing(dbc_.messages[i], mux_[i], file_); });
     }
     return std::move(dbc_);
   }
@@ -32,6 +34,27 @@ class Parser {
  private:
   using Values = std::map<std::int64_t, std::string>;
   using Action = void (Parser::*)();
+
+  /// What `read` cannot read costs the message it is about: message `about`, or the one a section turned to.
+  template <class Read>
+  void guarded(std::optional<std::size_t> about, const Read& read) {
+    about_ = about;
+    try {
+      read();
+    } catch (const InputError& error) {
+      if (!about_ && section_ == "BO_") dbc_.unread.emplace_back(error.what());
+      if (about_ && dbc_.messages[*about_].broken.empty()) dbc_.messages[*about_].broken = error.what();
+      if (!about) skip_to_section();
+    }
+  }
+
+  void skip_to_section() {
+    const auto at_section = [this] {
+      return at_.peek().first_in_line && at_.at_word() && at_.peek().text != "SG_" &&
+             is_dbc_section(at_.peek().text);
+    };
+    while (!at_.at_end() && !at_section()) at_.take();
+  }
 
   void section() {
     static constexpr std::pair<std::string_view, Action> kActions[] = {
@@ -47,6 +70,7 @@ class Parser {
     };
     const DbcToken token = at_.take();
     at_.enter(token.text);
+    section_ = token.text;
     if (token.text == "BA_DEF_") return attributes_.read_definition(at_);
     if (token.text == "BA_DEF_DEF_") return attributes_.read_default(at_);
     if (token.text == "BA_") return attributes_.read_value(at_);
@@ -102,20 +126,21 @@ class Parser {
     message.size = static_cast<int>(at_.expect_integer("the size of a message in bytes", 0, 1785));
     if (at_.at_word() && !is_dbc_section(at_.peek().text))
       message.senders.push_back(at_.expect_word("a node"));
-    std::map<std::string, DbcMux> mux;
+    if (id == kUnboundSignals) return skip_to_section();
+    raw_ids_.push_back(id);
+    mux_.emplace_back();
+    dbc_.messages.push_back(std::move(message));
+    about_ = dbc_.messages.size() - 1;
     while (at_.at_word() && at_.peek().text == "SG_") {
       at_.enter(at_.take().text);
-      message.signals.push_back(read_signal_line(at_, mux));
+      dbc_.messages.back().signals.push_back(read_signal_line(at_, mux_.back()));
     }
-    if (id == kUnboundSignals) return;
-    raw_ids_.push_back(id);
-    mux_.push_back(std::move(mux));
-    dbc_.messages.push_back(std::move(message));
   }
 
   void comment() {
     const std::string object = at_.at_word() ? at_.expect_word("BO_, SG_, BU_ or EV_") : "";
     DbcMessage* message = object == "BO_" || object == "SG_" ? known_message() : nullptr;
+    about_.reset();  // a message is whole without its comment
     const std::string name = object.empty() || object == "BO_" ? "" : at_.expect_word("a name");
     const std::string text = at_.expect_string("a comment in quotes");
     if (object == "BO_" && message != nullptr) message->comment = text;
@@ -195,8 +220,9 @@ class Parser {
 
   DbcMessage* known_message() {
     const auto found = std::find(raw_ids_.begin(), raw_ids_.end(), raw_id());
-    return found == raw_ids_.end() ? nullptr
-                                   : &dbc_.messages[static_cast<std::size_t>(found - raw_ids_.begin())];
+    if (found == raw_ids_.end()) return nullptr;
+    about_ = static_cast<std::size_t>(found - raw_ids_.begin());
+    return &dbc_.messages[*about_];
   }
 
   static DbcSignal* known_signal(DbcMessage* message, const std::string& name) {
@@ -209,23 +235,39 @@ class Parser {
   DbcAttributes attributes_;
   std::vector<std::int64_t> raw_ids_;               ///< of dbc_.messages, bit 31 in place
   std::vector<std::map<std::string, DbcMux>> mux_;  ///< of dbc_.messages, by signal
+  std::optional<std::size_t> about_;                ///< the message that is being read about
+  std::string_view section_;                        ///< that is being read
 };
+
+/// Refuses what is no text of one byte a letter, and says how to make it one.
+void require_plain_text(std::string_view text, const std::string& file) {
+  const std::string_view start = text.substr(0, 64);
+  const bool marked = start.substr(0, 2) == "\xFF\xFE" || start.substr(0, 2) == "\xFE\xFF";
+  if (marked || start.find('\0') != std::string_view::npos)
+    throw InputError(file, "is UTF-16, expected UTF-8 or Windows-1252: iconv -f UTF-16 -t UTF-8");
+  if (text.find('\r') != std::string_view::npos && text.find('\n') == std::string_view::npos)
+    throw InputError(file, "has line ends of CR alone, expected LF or CRLF: tr '\\r' '\\n'");
+}
+
+template <class Named>
+const Named* find_named(const std::vector<Named>& all, std::string_view name) {
+  const auto named = [&](const Named& one) {
+    return one.name == name || (!name.empty() && one.long_name == name);
+  };
+  const auto found = std::find_if(all.begin(), all.end(), named);
+  return found == all.end() ? nullptr : &*found;
+}
 
 }  // namespace
 
-const DbcSignal* DbcMessage::find(std::string_view signal) const {
-  const auto found =
-      std::find_if(signals.begin(), signals.end(), [&](const DbcSignal& s) { return s.name == signal; });
-  return found == signals.end() ? nullptr : &*found;
-}
+const DbcSignal* DbcMessage::find(std::string_view signal) const { return find_named(signals, signal); }
 
-const DbcMessage* Dbc::find(std::string_view message) const {
-  const auto found =
-      std::find_if(messages.begin(), messages.end(), [&](const DbcMessage& m) { return m.name == message; });
-  return found == messages.end() ? nullptr : &*found;
-}
+const DbcMessage* Dbc::find(std::string_view message) const { return find_named(messages, message); }
 
-Dbc parse_dbc(std::string_view text, const std::string& file) { return Parser(text, file).parse(); }
+Dbc parse_dbc(std::string_view text, const std::string& file) {
+  require_plain_text(text, file);
+  return Parser(text, file).parse();
+}
 
 Dbc load_dbc(const std::filesystem::path& file) { return parse_dbc(read_text(file), file.string()); }
 

@@ -1,6 +1,6 @@
 #include "dbc/dbc_tokens.hpp"
 
-#include "rigsound/machine/input_error.hpp"
+#include "dbc/dbc_signal_line.hpp"
 
 namespace rigsound::config {
 namespace {
@@ -8,12 +8,26 @@ namespace {
 using Kind = DbcToken::Kind;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_word(char c) { return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_word(char c) {
+  return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
+         static_cast<unsigned char>(c) >= 0x80;
+}
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v'; }
+
+bool has_open_quote(std::string_view text) {
+  bool open = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (open && text[i] == '\\' && i + 1 < text.size() && text[i + 1] == '"')
+      ++i;
+    else if (text[i] == '"')
+      open = !open;
+  }
+  return open;
+}
 
 class Scanner {
  public:
-  Scanner(std::string_view text, const std::string& file) : text_(text), file_(file) {
+  explicit Scanner(std::string_view text) : text_(text), unbalanced_(has_open_quote(text)) {
     if (text_.substr(0, 3) == "\xEF\xBB\xBF") at_ = 3;  // byte order mark
   }
 
@@ -61,11 +75,27 @@ class Scanner {
     const std::size_t start = ++at_;
     for (; at_ < text_.size() && text_[at_] != '"'; ++at_) {
       if (text_[at_] == '\\' && at(1) == '"') ++at_;
-      if (text_[at_] == '\n') ++line_;
+      if (text_[at_] != '\n') continue;
+      if (unbalanced_ && section_begins(at_ + 1)) return unclosed(token, start);
+      ++line_;
     }
-    if (at_ >= text_.size()) throw InputError(file_, token.line, {}, "this string has no closing quote");
-    token.text = text_.substr(start, at_++ - start);
+    token.text = text_.substr(start, at_ - start);
+    if (at_ < text_.size()) ++at_;
     return token;
+  }
+
+  /// A sign that goes nowhere: the section it stands in cannot be read.
+  DbcToken unclosed(DbcToken token, std::size_t start) const {
+    token.kind = Kind::kSign;
+    token.text = text_.substr(start - 1, 1);
+    return token;
+  }
+
+  bool section_begins(std::size_t at) const {
+    while (at < text_.size() && (text_[at] == ' ' || text_[at] == '\t')) ++at;
+    std::size_t end = at;
+    while (end < text_.size() && is_word(text_[end])) ++end;
+    return is_dbc_section(text_.substr(at, end - at));
   }
 
   // In 3-5 the dash is a range, in (1,-5) a minus; what stands right before it tells.
@@ -86,7 +116,7 @@ class Scanner {
   }
 
   std::string_view text_;
-  const std::string& file_;
+  bool unbalanced_;  // a quote is missing: then strings do not reach into the next section
   std::size_t at_ = 0;
   int line_ = 1;
   bool fresh_line_ = true;
@@ -94,8 +124,8 @@ class Scanner {
 
 }  // namespace
 
-std::vector<DbcToken> dbc_tokens(std::string_view text, const std::string& file) {
-  Scanner scanner(text, file);
+std::vector<DbcToken> dbc_tokens(std::string_view text) {
+  Scanner scanner(text);
   std::vector<DbcToken> tokens;
   do tokens.push_back(scanner.next());
   while (tokens.back().kind != Kind::kEnd);

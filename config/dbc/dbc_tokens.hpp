@@ -1,7 +1,6 @@
 // DBC text cut into words, numbers, strings and signs. White space and newlines may stand anywhere.
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,7 +14,8 @@ struct DbcToken {
   bool first_in_line = false;
 };
 
-/// The last token is kEnd. Views point into `text`. Errors: InputError for a string without an end.
-std::vector<DbcToken> dbc_tokens(std::string_view text, const std::string& file);
+/// The last token is kEnd. Views point into `text`. In a text that lacks a quote somewhere no string reaches
+/// over the beginning of a section: the open quote is a sign.
+std::vector<DbcToken> dbc_tokens(std::string_view text);
 
 }  // namespace rigsound::config

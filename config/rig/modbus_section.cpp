@@ -1,4 +1,7 @@
-#include "rig/network.hpp"
+#include <algorithm>
+#include <charconv>
+
+#include "rig/allow.hpp"
 #include "rig/sections.hpp"
 #include "rigsound/modbus/exchange.hpp"
 #include "rigsound/socket/host_port.hpp"
@@ -11,18 +14,76 @@ using namespace modbus;
 
 constexpr int kDefaultPort = 502;
 
+constexpr Range kBits{0, 31};
+
+bool is_float(WordType type) { return type == WordType::kFloat32 || type == WordType::kFloat64; }
+
+/// `bit = 3` is `mask = 8`.
+void read_bit(TomlTable& table, RegisterRoute& route) {
+  if (!table.has("bit")) return;
+  if (route.mask != 0) table.fail("bit", "does not go with a mask, expected one of them");
+  route.mask = 1U << static_cast<unsigned>(table.integer("bit", 0, kBits));
+}
+
+double value_of_word(const TomlTable& table, const std::string& key, const std::string& word, Signal s) {
+  const SignalInfo& signal = info(s);
+  for (double value = signal.min; signal.kind == SignalKind::kWord && value <= signal.max; ++value)
+    if (value_word(s, value) == word) return value;
+  std::string words(signal.words);
+  std::replace(words.begin(), words.end(), '|', ',');
+  table.fail(key, "\"" + word + "\" is no value of " + std::string(signal.name) + ", expected " +
+                      (words.empty() ? "a number" : "one of " + words));
+}
+
+/// `values = { 0 = "off", 3 = "on" }`: raw values, and what they stand for.
+void read_values(TomlTable table, RegisterRoute& route) {
+  const SignalInfo& signal = info(route.target.signal);
+  for (const std::string& key : table.keys()) {
+    NamedValue named;
+    const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), named.raw);
+    if (error != std::errc() || end != key.data() + key.size())
+      table.fail(key, "is no raw value, expected a whole number");
+    if (table.is_text(key)) {
+      named.value = value_of_word(table, key, table.text(key, {}), route.target.signal);
+    } else {
+      const bool zero = signal.kind == SignalKind::kNumberOrZero;
+      const Range range{signal.min, signal.max, "", 0, zero};
+      named.value = table.number(key, 0, range);
+    }
+    route.values.push_back(named);
+  }
+}
+
 RegisterRoute read_register(TomlTable table, SignalId id) {
   RegisterRoute route;
   route.target = id;
   table.require("address", "a register or bit counted from 0");
   read(table, route);
-  if (holds_bits(route.table) && (table.has("type") || table.has("word_order")))
-    table.fail(table.has("type") ? "type" : "word_order", "does not go with a bit, expected none");
+  read_bit(table, route);
+  read_values(table.table("values"), route);
+  for (const char* key : {"type", "word_order", "mask", "bit"})
+    if (holds_bits(route.table) && table.has(key)) table.fail(key, "does not go with a bit, expected none");
+  if (route.mask != 0 && is_float(route.type))
+    table.fail(table.has("bit") ? "bit" : "mask", "does not go with a float, expected a whole number's type");
   if (route.address + width(route) > 65536)
-    table.fail("address", "leaves no room for two registers, expected at most 65534");
+    table.fail("address",
+               "leaves no room for its registers, expected at most " + std::to_string(65536 - width(route)));
   if (route.scale == 0) table.fail("scale", "is 0, expected any other number");
+  if (!route.values.empty() && (table.has("scale") || table.has("offset")))
+    table.fail(table.has("scale") ? "scale" : "offset", "does not go with values, expected none");
   table.refuse_unknown();
   return route;
+}
+
+/// A manual's number that was taken for an address.
+void doubt_address(const TomlTable& table, const std::string& key, const RegisterRoute& route,
+                   std::vector<std::string>& doubts) {
+  const int base = manual_base(route.table);
+  if (base == 1 || route.address < base || route.address > base + 9998) return;
+  doubts.push_back(table.file() + ":" + std::to_string(table.line_of(key)) + ": " + table.path_of(key) +
+                   ": address " + std::to_string(route.address) + " counts from 0, so it is " +
+                   describe(route.table, route.address) +
+                   ": address = " + std::to_string(route.address - base) + "?");
 }
 
 void refuse_serial_keys(const TomlTable& table) {
@@ -44,39 +105,47 @@ void require_device(TomlTable& table, ModbusOptions& options) {
   options.port = 0;
 }
 
-void read_allow(TomlTable& table, ModbusOptions& options) {
-  const bool given = table.has("allow");
-  std::vector<std::string> texts = table.texts("allow");
-  if (!given) texts = {"127.0.0.0/8", "::1"};
-  for (const std::string& text : texts) {
-    const auto network = parse_network(text);
-    if (!network)
-      table.fail("allow", "\"" + text +
-                              "\" is no network, expected one like \"192.168.1.0/24\" with no bits after it");
-    options.allow.push_back(*network);
-  }
+/// 255 stands for any on Modbus/TCP; 0 is a broadcast where frames are RTU, which nobody answers.
+void require_unit(const TomlTable& table, const ModbusOptions& options) {
+  const bool rtu_frames = options.transport != Transport::kTcp;
+  if (options.unit > 247 && (options.unit != 255 || rtu_frames))
+    table.fail("unit", std::to_string(options.unit) + " is no unit, expected 1 to 247, or 0 or 255 on TCP");
+  if (options.unit == 0 && rtu_frames)
+    table.fail("unit", "0 is a broadcast on RTU, which nobody answers, expected 1 to 247");
+}
+
+/// A server that listens to other machines and lets none of them in.
+bool hears_nobody(const TomlTable& table, const ModbusOptions& options) {
+  const bool loopback =
+      options.host == "localhost" || options.host == "::1" || options.host.compare(0, 4, "127.") == 0;
+  return options.role == Role::kServer && options.transport != Transport::kRtu && !loopback &&
+         !table.has("allow");
 }
 
 }  // namespace
 
-ModbusOptions read_modbus(TomlTable table, const std::vector<BoomOptions>& booms) {
+ModbusRead read_modbus(TomlTable table, const std::vector<BoomOptions>& booms) {
   ModbusOptions options;
-  if (table.word("transport", options.transport, kTransports) == Transport::kRtu) options.unit = 1;
+  std::vector<std::string> doubts;
+  if (table.word("transport", options.transport, kTransports) != Transport::kTcp) options.unit = 1;
   read(table, options);
-  if (options.transport == Transport::kTcp)
+  if (options.transport != Transport::kRtu)
     take_host(table, options);
   else
     require_device(table, options);
-  if (options.unit > 247 && (options.unit != 255 || options.transport == Transport::kRtu))
-    table.fail("unit", std::to_string(options.unit) + " is no unit, expected 1 to 247, or 255 on TCP");
-  read_allow(table, options);
-  read_signals(table.table("signals"), booms,
-               [&options](TomlTable& signals, const std::string& key, SignalId id) {
-                 options.routes.push_back(read_register(signals.table(key), id));
-               });
+  require_unit(table, options);
+  options.allow = read_allow(table);
+  if (hears_nobody(table, options))
+    doubts.push_back(table.file() + ":" + std::to_string(table.line_of("address")) + ": " +
+                     table.path_of("address") + ": listens to " + options.host +
+                     ", but without allow only this machine may connect: allow = [\"192.168.1.0/24\"]?");
+  read_signals(table.table("signals"), booms, [&](TomlTable& signals, const std::string& key, SignalId id) {
+    options.routes.push_back(read_register(signals.table(key), id));
+    doubt_address(signals, key, options.routes.back(), doubts);
+  });
   table.refuse_unknown();
-  if (options.transport == Transport::kTcp) refuse_serial_keys(table);
-  return options;
+  if (options.transport != Transport::kRtu) refuse_serial_keys(table);
+  return {std::move(options), std::move(doubts)};
 }
 
 }  // namespace rigsound::config

@@ -58,7 +58,7 @@ std::optional<std::vector<std::uint8_t>> parse_v6(std::string_view text) {
   return head;
 }
 
-bool host_bits_clear(const modbus::Network& network) {
+bool host_bits_clear(const Network& network) {
   for (int bit = network.prefix; bit < static_cast<int>(network.address.size()) * 8; ++bit)
     if ((network.address[static_cast<std::size_t>(bit / 8)] >> (7 - bit % 8) & 1) != 0) return false;
   return true;
@@ -66,8 +66,8 @@ bool host_bits_clear(const modbus::Network& network) {
 
 }  // namespace
 
-std::optional<modbus::Network> parse_network(std::string_view text) {
-  modbus::Network network;
+std::optional<Network> parse_network(std::string_view text) {
+  Network network;
   network.text = text;
   const std::size_t slash = std::min(text.find('/'), text.size());
   const std::string_view host = text.substr(0, slash);

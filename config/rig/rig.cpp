@@ -28,7 +28,20 @@ StaleDefaults stale_defaults(const Rig& rig) {
   for (const modbus::ModbusOptions& link : rig.modbus)
     for (const modbus::RegisterRoute& route : link.routes)
       if (link.role == modbus::Role::kClient) note_stale(stale, route.target.signal, link.poll_s);
+  for (const udp::UdpOptions& input : rig.udp)
+    for (const udp::NameRoute& route : input.routes) note_stale(stale, route.target.signal, 0);
   return stale;
+}
+
+/// Calls `visit(section, id)` for every signal that a bus delivers.
+template <class Visit>
+void for_each_source(const Rig& rig, Visit visit) {
+  for (const can::CanOptions& bus : rig.can)
+    for (const can::SignalRoute& route : bus.routes) visit("can", route.target);
+  for (const modbus::ModbusOptions& link : rig.modbus)
+    for (const modbus::RegisterRoute& route : link.routes) visit("modbus", route.target);
+  for (const udp::UdpOptions& input : rig.udp)
+    for (const udp::NameRoute& route : input.routes) visit("udp", route.target);
 }
 
 void require_one_source(const Rig& rig, const TomlTable& root) {
@@ -38,17 +51,72 @@ void require_one_source(const Rig& rig, const TomlTable& root) {
       root.fail(section,
                 "delivers " + signal_label(rig, id) + ", but another bus does too, expected one source");
   };
-  for (const can::CanOptions& bus : rig.can)
-    for (const can::SignalRoute& route : bus.routes) note("can", route.target);
-  for (const modbus::ModbusOptions& link : rig.modbus)
-    for (const modbus::RegisterRoute& route : link.routes) note("modbus", route.target);
+  for_each_source(rig, note);
 }
 
 void require_own_interfaces(const Rig& rig, const TomlTable& root) {
   std::set<std::string> seen;
   for (const can::CanOptions& bus : rig.can)
     if (!seen.insert(bus.interface).second)
-      root.fail("can", "names the interface " + bus.interface + " twice, expected one [[can]] for each");
+      root.fail(
+          "can",
+          "names the interface " + bus.interface +
+              " twice, expected one [[can]] for each, with dbc = [\"a.dbc\", \"b.dbc\"] for several files");
+}
+
+std::string canonical(const std::string& device) {
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::weakly_canonical(device, error);
+  return error ? device : path.string();
+}
+
+bool any_address(const std::string& host) { return host == "0.0.0.0" || host == "::"; }
+
+/// Whether both would be at the same time on one serial line, or listen at one port.
+bool share_a_line(const modbus::ModbusOptions& a, const modbus::ModbusOptions& b) {
+  using modbus::Role;
+  using modbus::Transport;
+  if ((a.transport == Transport::kRtu) != (b.transport == Transport::kRtu)) return false;
+  if (a.transport == Transport::kRtu) return canonical(a.address) == canonical(b.address);
+  if (a.role != b.role) return false;
+  const bool same_host =
+      a.host == b.host || (a.role == Role::kServer && (any_address(a.host) || any_address(b.host)));
+  return a.port == b.port && same_host;
+}
+
+std::string line_conflict(const modbus::ModbusOptions& a, const modbus::ModbusOptions& b) {
+  if (a.role == modbus::Role::kServer || b.role == modbus::Role::kServer)
+    return a.transport == modbus::Transport::kRtu
+               ? "is on a line with a server, expected one server or masters on it"
+               : "is a port that two servers listen at, expected one [[modbus]] for each, with unit = 255 "
+                 "for any";
+  if (a.address != b.address)
+    return "is the same line as " + a.address + ", expected the same address for both";
+  if (a.transport != b.transport || a.baud != b.baud || a.parity != b.parity || a.stop_bits != b.stop_bits ||
+      a.timeout_s != b.timeout_s || a.pause_s != b.pause_s)
+    return "is a line that another [[modbus]] shares, expected the same transport, baud, parity, stop_bits, "
+           "timeout_ms and pause_ms for both";
+  return {};
+}
+
+void require_own_lines(const Rig& rig, const TomlTable& root) {
+  for (std::size_t i = 0; i < rig.modbus.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      if (!share_a_line(rig.modbus[k], rig.modbus[i])) continue;
+      const std::string conflict = line_conflict(rig.modbus[k], rig.modbus[i]);
+      if (!conflict.empty()) root.fail("modbus", rig.modbus[i].address + " " + conflict);
+    }
+}
+
+/// A unit's signals are down when the last of them is stale, and not while a device pauses.
+void set_down_ages(Rig& rig) {
+  constexpr double kLeast_s = 0.3, kPolls = 3;
+  for (modbus::ModbusOptions& link : rig.modbus) {
+    link.down_after_s = std::max({kLeast_s, kPolls * link.poll_s, link.timeout_s});
+    for (const modbus::RegisterRoute& route : link.routes)
+      link.down_after_s = std::max(
+          link.down_after_s, rig.safety.rule[static_cast<std::size_t>(route.target.signal)].stale_after_s);
+  }
 }
 
 void take_sound(const TomlTable& table, const std::filesystem::path& folder, Rig& rig) {
@@ -58,12 +126,56 @@ void take_sound(const TomlTable& table, const std::filesystem::path& folder, Rig
   rig.engine.seed = static_cast<std::uint64_t>(sound.seed);
 }
 
+/// Signals that no bus read so far delivers.
+std::vector<udp::NameRoute> free_signals(const Rig& rig) {
+  std::set<std::pair<Signal, int>> taken;
+  for_each_source(rig, [&](const char*, SignalId id) { taken.emplace(id.signal, id.boom); });
+  std::vector<udp::NameRoute> routes;
+  for_each_signal(static_cast<int>(rig.engine.booms.size()), [&](SignalId id) {
+    if (taken.count({id.signal, id.boom}) != 0) return;
+    const std::string name = signal_label(rig, id);
+    const bool of_first_boom = info(id.signal).per_boom && id.boom == 0;
+    routes.push_back({id, name, of_first_boom ? rig.engine.booms.front().name + "." + name : ""});
+  });
+  return routes;
+}
+
+template <class Read, class Options>
+void take_bus(Read read, std::vector<Options>& buses, std::vector<std::string>& doubts) {
+  buses.push_back(std::move(read.options));
+  doubts.insert(doubts.end(), read.doubts.begin(), read.doubts.end());
+}
+
+void read_buses(TomlTable& root, const std::filesystem::path& folder, Rig& rig) {
+  for (TomlTable& table : root.tables("can"))
+    take_bus(read_can(table, folder, rig.engine.booms), rig.can, rig.doubts);
+  for (TomlTable& table : root.tables("modbus"))
+    take_bus(read_modbus(table, rig.engine.booms), rig.modbus, rig.doubts);
+  for (TomlTable& table : root.tables("udp")) {
+    rig.udp.push_back(read_udp(table, free_signals(rig)));
+    if (rig.udp.back().routes.empty())
+      table.fail("signals", "there is none left that no other bus delivers, expected one or more");
+  }
+}
+
 /// What the engine would refuse is refused where the file says it.
 void require_playable(const Rig& rig, const TomlTable& root) {
   try {
     require_valid(rig.engine);
   } catch (const InvalidField& error) {
     root.fail(error);
+  }
+}
+
+void read_buses(TomlTable& root, const std::filesystem::path& folder, Rig& rig) {
+  for (TomlTable& table : root.tables("can"))
+    take_bus(read_can(table, folder, rig.engine.booms), rig.can, rig.doubts);
+  for (TomlTable& table : root.tables("modbus"))
+    take_bus(read_modbus(table, rig.engine.booms), rig.modbus, rig.doubts);
+  for (TomlTable& table : root.tables("udp")) {
+    rig.udp.push_back(read_udp(table, free_signals(rig)));
+    if (rig.udp.back().routes.empty())
+      table.fail("signals", "there is none left that no other bus delivers, expected one or more");
   }
 }
 
@@ -90,18 +202,22 @@ Rig parse_rig(std::string_view text, const std::filesystem::path& file, Buses bu
   rig.engine.scene = read_scene(root.table("scene"));
   rig.engine.mix = read_mix(root.table("mix"));
   require_playable(rig, root);
-  std::vector<TomlTable> can = root.tables("can"), modbus = root.tables("modbus");
-  if (buses == Buses::kLeftOut) can.clear(), modbus.clear();
-  for (TomlTable& table : can) rig.can.push_back(read_can(table, folder, rig.engine.booms));
-  for (TomlTable& table : modbus) rig.modbus.push_back(read_modbus(table, rig.engine.booms));
+  if (buses == Buses::kRead)
+    read_buses(root, folder, rig);
+  else
+    for (const char* section : {"can", "modbus", "udp"}) root.expect(section);
   rig.safety = read_safety(root.table("safety"), stale_defaults(rig));
+  set_down_ages(rig);
   rig.safety.idle_rpm = rig.engine.scene.idle_rpm;
   rig.control = read_control(root.table("control"));
   root.refuse_unknown();
   require_own_interfaces(rig, root);
+  require_own_lines(rig, root);
   require_one_source(rig, root);
   return rig;
 }
+
+log::Buses buses_of(const Rig& rig) { return {rig.can, rig.modbus, rig.udp}; }
 
 std::string signal_label(const Rig& rig, SignalId id) {
   std::string name(info(id.signal).name);

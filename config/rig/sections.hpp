@@ -44,9 +44,22 @@ Booms read_booms(std::vector<TomlTable> tables);
 using StaleDefaults = std::array<double, kSignalCount>;
 SafetyOptions read_safety(TomlTable table, const StaleDefaults& stale);
 
-can::CanOptions read_can(TomlTable table, const std::filesystem::path& folder,
-                         const std::vector<BoomOptions>& booms);
-modbus::ModbusOptions read_modbus(TomlTable table, const std::vector<BoomOptions>& booms);
+/// A bus, and what is probably a mistake in its section: one line each.
+struct CanBusRead {
+  can::CanOptions options;
+  std::vector<std::string> doubts;
+};
+CanBusRead read_can(TomlTable table, const std::filesystem::path& folder,
+                    const std::vector<BoomOptions>& booms);
+
+struct ModbusRead {
+  modbus::ModbusOptions options;
+  std::vector<std::string> doubts;
+};
+ModbusRead read_modbus(TomlTable table, const std::vector<BoomOptions>& booms);
+
+/// `free_signals`: what no other bus of the rig delivers; a table that names none takes them all.
+udp::UdpOptions read_udp(TomlTable table, const std::vector<udp::NameRoute>& free_signals);
 
 /// Walks a table `signal = ...`, in which a boom's name holds a table of that boom's signals. Calls `each`
 /// with the table that holds the key, the key and the signal. Refuses names that are no signal.

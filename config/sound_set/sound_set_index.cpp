@@ -86,7 +86,7 @@ SoundSetIndex load_index(const std::filesystem::path& sound_set) {
   if (!std::filesystem::is_directory(sound_set, error))
     throw InputError(sound_set.string(), "is no sound set, expected a folder with soundset.toml");
   TomlTable root = TomlTable::read(sound_set / "soundset.toml");
-  const int format = root.integer("format", 0, kFormats);
+  const std::int64_t format = root.integer("format", 0, kFormats);
   if (format != kIndexFormat)
     root.fail("format", "version " + std::to_string(format) + " is not known, expected " +
                             std::to_string(kIndexFormat));

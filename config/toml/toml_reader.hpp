@@ -34,7 +34,7 @@ class TomlReader {
   }
   template <class Integer>
   void operator()(const char* key, Integer& x, const Range& range) {
-    x = static_cast<Integer>(table_.integer(key, static_cast<int>(x), range));
+    x = static_cast<Integer>(table_.integer(key, static_cast<std::int64_t>(x), range));
   }
   void operator()(const char* key, bool& on) { on = table_.flag(key, on); }
   void operator()(const char* key, std::string& text) { text = table_.text(key, text); }

@@ -59,8 +59,9 @@ double TomlTable::number(std::string_view key, double otherwise, const Range& ra
   return x;
 }
 
-int TomlTable::integer(std::string_view key, int otherwise, const Range& range) {
-  return static_cast<int>(number(key, otherwise, range.step == 0 ? range.whole() : range));
+std::int64_t TomlTable::integer(std::string_view key, std::int64_t otherwise, const Range& range) {
+  const auto given = number(key, static_cast<double>(otherwise), range.step == 0 ? range.whole() : range);
+  return static_cast<std::int64_t>(given);
 }
 
 bool TomlTable::flag(std::string_view key, bool otherwise) {
@@ -105,6 +106,14 @@ std::vector<std::string> TomlTable::texts(std::string_view key) {
   return words;
 }
 
+std::vector<std::string> TomlTable::one_or_more_texts(std::string_view key, std::string_view expected) {
+  const toml::node* node = known(key);
+  if (node == nullptr || !node->is_array()) return {required_text(key, expected)};
+  std::vector<std::string> given = texts(key);
+  if (given.empty()) fail(key, "is empty, expected " + std::string(expected));
+  return given;
+}
+
 TomlTable TomlTable::table(std::string_view key) {
   const toml::node* node = known(key);
   if (node == nullptr) return TomlTable(file_, std::make_shared<const toml::table>(), path_of(key));
@@ -139,6 +148,11 @@ std::vector<std::string> TomlTable::keys() const {
 bool TomlTable::is_table(std::string_view key) const {
   const toml::node* node = table_->get(key);
   return node != nullptr && node->is_table();
+}
+
+bool TomlTable::is_text(std::string_view key) const {
+  const toml::node* node = table_->get(key);
+  return node != nullptr && node->is_string();
 }
 
 void TomlTable::refuse_unknown() const {

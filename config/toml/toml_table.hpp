@@ -3,6 +3,7 @@
 
 #include <toml++/toml.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -27,12 +28,14 @@ class TomlTable {
   bool has(std::string_view key) const { return table_->contains(key); }
   void expect(std::string_view key) { known(key); }  ///< marks a key as known
   double number(std::string_view key, double otherwise, const Range& range);
-  int integer(std::string_view key, int otherwise, const Range& range);
+  std::int64_t integer(std::string_view key, std::int64_t otherwise, const Range& range);
   bool flag(std::string_view key, bool otherwise);
   std::string text(std::string_view key, std::string_view otherwise);
   void require(std::string_view key, std::string_view expected);  ///< refuses a table without the key
   std::string required_text(std::string_view key, std::string_view expected);
   std::vector<std::string> texts(std::string_view key);
+  /// A text, or a list of them that is not empty; refuses a table without the key.
+  std::vector<std::string> one_or_more_texts(std::string_view key, std::string_view expected);
 
   template <class E, std::size_t N>
   E word(std::string_view key, E otherwise, const Word<E> (&words)[N]) {
@@ -51,6 +54,7 @@ class TomlTable {
   /// Every key of this table in the order of the file.
   std::vector<std::string> keys() const;
   bool is_table(std::string_view key) const;
+  bool is_text(std::string_view key) const;
 
   /// Throws InputError for the first key that no getter asked for, with the nearest one that exists.
   void refuse_unknown() const;

@@ -23,17 +23,24 @@ void BusBase::report(const std::vector<Reading>& readings) {
   listener_.readings(readings.data(), readings.size());
 }
 
+void BusBase::report_all(Validity validity) {
+  const double now_s = monotonic_s();
+  std::vector<Reading> unknown;
+  for (const SignalId id : signals_) unknown.push_back({id, 0, validity, now_s});
+  report(unknown);
+}
+
 void BusBase::report_up() {
   problem_.clear();
+  if (lost_) report_all(Validity::kStale);
+  lost_ = false;
   listener_.up();
 }
 
 void BusBase::report_down(const std::string& why) {
-  const double now_s = monotonic_s();
-  std::vector<Reading> unknown;
-  for (const SignalId id : signals_) unknown.push_back({id, 0, Validity::kBusDown, now_s});
   problem_ = why;
-  report(unknown);
+  lost_ = true;
+  report_all(Validity::kBusDown);
   listener_.down(why);
 }
 
@@ -43,7 +50,9 @@ void BusBase::report_problem(const std::string& why) {
   listener_.notice(why);
 }
 
-void BusBase::warn(const std::string& text) { warnings_.add(text, monotonic_ms()); }
+void BusBase::warn(const std::string& kind, const std::string& text) {
+  warnings_.add(kind, text, monotonic_ms());
+}
 
 bool BusBase::may_open() const {
   const std::int64_t left_ms = backoff_.left_ms(monotonic_ms());

@@ -28,10 +28,13 @@ class BusBase : public Bus {
   BusBase(std::string name, std::vector<SignalId> signals, BusListener& listener);
 
   void report(const std::vector<Reading>& readings);
+  /// After a loss the signals are stale until their next value.
   void report_up();
   void report_down(const std::string& why);
+  void report_all(Validity validity);           ///< one reading without a value for every signal
   void report_problem(const std::string& why);  ///< a notice, unless it is still the last problem
-  void warn(const std::string& text);           ///< a notice, at most one a second
+  /// A notice, at most one a minute of its kind.
+  void warn(const std::string& kind, const std::string& text);
 
   /// Whether the device may be tried now; when not, waits up to 0.2 s of the pause.
   bool may_open() const;
@@ -47,6 +50,7 @@ class BusBase : public Bus {
   RateLimitedLog warnings_;
   Backoff backoff_;
   std::string problem_;  // reported last
+  bool lost_ = false;    // down since it was up
 };
 
 }  // namespace rigsound

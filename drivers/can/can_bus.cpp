@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
 
+#include "bus/arrival_clock.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/monotonic_time.hpp"
 
@@ -26,23 +26,13 @@ CanSocketOptions socket_options(const CanOptions& options, const CanTap* tap) {
   return socket;
 }
 
-double realtime_s() {
-  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
-
-/// The kernel stamps with the time of day; readings count from the machine's start. `now_s` and
-/// `realtime_now_s` are the same moment on both clocks.
-double monotonic_arrival_s(const Arrival& arrival, double realtime_now_s, double now_s) {
-  const double age_s = arrival.realtime_s > 0 ? realtime_now_s - arrival.realtime_s : 0;
-  return now_s - std::clamp(age_s, 0.0, 1.0);
-}
-
 }  // namespace
 
 CanBus::CanBus(const CanOptions& options, BusListener& listener, CanTap* tap, std::unique_ptr<CanPort> port)
     : BusBase("can " + options.interface, targets(options.routes), listener),
       options_(socket_options(options, tap)),
       decoder_(options.routes),
+      sources_(options.routes),
       tap_(tap),
       port_(std::move(port)),
       batch_(kBatch) {}
@@ -90,11 +80,14 @@ void CanBus::dispatch(const Arrival* first, std::size_t count) {
 void CanBus::data_frames(const Arrival* first, std::size_t count) {
   frames_.fetch_add(count, std::memory_order_relaxed);
   if (tap_ != nullptr) tap_->traffic(first, count);
-  const double realtime_now_s = realtime_s(), now_s = monotonic_s();
+  const ArrivalClock clock;
   readings_.clear();
   std::uint64_t used = 0;
-  for (const Arrival* a = first; a != first + count; ++a)
-    if (decoder_.decode(a->frame, monotonic_arrival_s(*a, realtime_now_s, now_s), readings_)) ++used;
+  for (const Arrival* a = first; a != first + count; ++a) {
+    if (!decoder_.decode(a->frame, clock.monotonic_s(a->realtime_s), readings_)) continue;
+    ++used;
+    if (const auto several = sources_.add(a->frame)) warn("sources", *several);
+  }
   report(readings_);
   used_.fetch_add(used, std::memory_order_relaxed);
 }
@@ -112,7 +105,8 @@ void CanBus::controller_error(const Frame& frame) {
   }
   const bool passive = (frame.data[1] & (CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_TX_PASSIVE)) != 0;
   if ((frame.id & CAN_ERR_CRTL) != 0 && passive)
-    warn(options_.interface + ": the controller is error-passive: look at wiring, termination, bit rate");
+    warn("error-passive",
+         options_.interface + ": the controller is error-passive: look at wiring, termination, bit rate");
 }
 
 std::vector<BusCounter> CanBus::counters() const {

@@ -8,6 +8,7 @@
 
 #include "bus/bus_base.hpp"
 #include "can/can_port.hpp"
+#include "can/source_watch.hpp"
 #include "rigsound/can/can_bus.hpp"
 #include "rigsound/can/frame_decoder.hpp"
 
@@ -30,6 +31,7 @@ class CanBus final : public BusBase {
 
   CanSocketOptions options_;
   FrameDecoder decoder_;
+  SourceWatch sources_;
   CanTap* tap_;
   std::unique_ptr<CanPort> port_;
   std::unique_ptr<CanSocket> socket_;

@@ -53,19 +53,13 @@ double number(ValueType type, int length, std::uint64_t raw) {
   return static_cast<double>(raw);
 }
 
-/// First raw value that is none, for the lengths J1939-71 sets values apart in.
-std::optional<std::uint64_t> first_no_value(const SignalLayout& layout) {
-  if (layout.type != ValueType::kUnsigned) return std::nullopt;
-  switch (layout.field.length) {
-    case 8:
-      return 0xFB;
-    case 16:
-      return 0xFAFF;
-    case 32:
-      return 0xFB000000;
-    default:
-      return std::nullopt;
-  }
+/// The signal map's word on the raw value, else J1939's where it has one.
+Validity meaning(const SignalLayout& layout, RawValues raw_values, std::uint64_t raw) {
+  const auto code = std::find_if(layout.codes.begin(), layout.codes.end(),
+                                 [raw](const RawCode& named) { return named.raw == raw; });
+  if (code != layout.codes.end()) return code->meaning;
+  const bool coded = raw_values == RawValues::kJ1939 && layout.type == ValueType::kUnsigned;
+  return coded ? j1939_meaning(layout.field.length, raw) : Validity::kValid;
 }
 
 }  // namespace
@@ -82,6 +76,15 @@ std::optional<std::uint64_t> extract(const BitField& field, const Frame& frame) 
   return field.order == ByteOrder::kIntel ? extract_intel(field, frame) : extract_motorola(field, frame);
 }
 
+Validity j1939_meaning(int length, std::uint64_t raw) {
+  constexpr std::uint64_t kNoValues = 5;  // 0xFB...0xFF of a top byte
+  if (length < 2) return Validity::kValid;
+  const int below = length < 12 ? 0 : length - 8;  // bits that do not count
+  const std::uint64_t from_top = (low_bits(length) >> below) - (raw >> below);
+  if (from_top == 0) return Validity::kNotAvailable;
+  return from_top < (length < 8 ? 2 : kNoValues) ? Validity::kErrorValue : Validity::kValid;
+}
+
 std::optional<Decoded> read_signal(const SignalLayout& layout, RawValues raw_values, const Frame& frame) {
   for (const Selector& selector : layout.selectors) {
     const auto selected = extract(selector.field, frame);
@@ -93,10 +96,8 @@ std::optional<Decoded> read_signal(const SignalLayout& layout, RawValues raw_val
   }
   const auto raw = extract(layout.field, frame);
   if (!raw) return Decoded{};
-  if (const auto limit = first_no_value(layout); raw_values == RawValues::kJ1939 && limit && *raw >= *limit) {
-    const bool not_available = (*raw >> (layout.field.length - 8)) == 0xFF;
-    return Decoded{not_available ? Validity::kNotAvailable : Validity::kErrorValue, 0};
-  }
+  if (const Validity what = meaning(layout, raw_values, *raw); what != Validity::kValid)
+    return Decoded{what, 0};
   return Decoded{Validity::kValid,
                  number(layout.type, layout.field.length, *raw) * layout.scale + layout.offset};
 }

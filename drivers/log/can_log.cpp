@@ -3,26 +3,12 @@
 #include <algorithm>
 #include <set>
 
+#include "can/source_watch.hpp"
+#include "log/can_survey.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::log {
 namespace {
-
-constexpr double kLongestGap = 3600;  // s
-
-/// Interfaces of the log in the order of their names; reads no further than the first wanted one.
-std::set<std::string> interfaces(const std::filesystem::path& file, const std::set<std::string>& wanted) {
-  CandumpReader reader(file);
-  CanRecord record;
-  std::set<std::string> seen;
-  while (reader.next(record)) {
-    seen.insert(record.interface);
-    if (wanted.count(record.interface) != 0) break;
-  }
-  if (seen.empty())
-    throw InputError(file.string(), "holds no CAN frame, expected lines as candump -l writes them");
-  return seen;
-}
 
 std::string list(const std::set<std::string>& names) {
   std::string text;
@@ -30,39 +16,95 @@ std::string list(const std::set<std::string>& names) {
   return text;
 }
 
+/// Which bus of the rig an interface of the log is. A pair that is the wrong way round is turned.
+std::map<std::string, const can::CanOptions*> buses_by_interface(const std::vector<can::CanOptions>& buses,
+                                                                 const LogOptions& options) {
+  const auto of_rig = [&](const std::string& name) {
+    const auto found = std::find_if(buses.begin(), buses.end(),
+                                    [&](const can::CanOptions& bus) { return bus.interface == name; });
+    return found == buses.end() ? nullptr : &*found;
+  };
+  std::map<std::string, const can::CanOptions*> by_interface;
+  for (const can::CanOptions& bus : buses) by_interface[bus.interface] = &bus;
+  for (const auto& [first, second] : options.interfaces) {
+    if (const can::CanOptions* bus = of_rig(second))
+      by_interface[first] = bus;
+    else if (const can::CanOptions* turned = of_rig(first))
+      by_interface[second] = turned;
+    else
+      throw InputError("--can " + first + "=" + second,
+                       "names no interface of the rig, expected LOG_INTERFACE=RIG_INTERFACE");
+  }
+  return by_interface;
+}
+
 }  // namespace
 
-CanLog::CanLog(const std::filesystem::path& file, const std::vector<can::CanOptions>& buses)
-    : file_(file.string()), reader_(file) {
-  std::set<std::string> wanted;
-  for (const can::CanOptions& bus : buses) wanted.insert(bus.interface);
-  const std::set<std::string> seen = interfaces(file, wanted);
-  const bool named =
+CanLog::CanLog(LogFile file, const std::vector<can::CanOptions>& buses, const LogOptions& options)
+    : file_(std::move(file)), clock_(options.longest_gap_s) {
+  find_buses(buses, options);
+  reader_ = open_can_reader(file_);
+}
+
+/// Reads the log as far as the first value that is of use.
+void CanLog::find_buses(const std::vector<can::CanOptions>& buses, const LogOptions& options) {
+  auto by_interface = buses_by_interface(buses, options);
+  std::set<std::string> seen, wanted;
+  for (const auto& [interface, bus] : by_interface) wanted.insert(interface);
+  std::optional<CanSurvey> survey;
+  const auto useful = [&] {
+    survey.emplace(buses);
+    const auto reader = open_can_reader(file_);
+    CanRecord record;
+    while (reader->next(record)) {
+      seen.insert(record.interface);
+      const auto bus = by_interface.find(record.interface);
+      if (bus == by_interface.end())
+        survey->add_foreign(record);
+      else if (survey->add(*bus->second, record))
+        return true;
+    }
+    return false;
+  };
+  bool good = useful();
+  if (seen.empty())
+    throw InputError(file_.name(),
+                     "holds no CAN frame, expected a log of candump, ASC, TRC or a capture of SocketCAN; "
+                     "can_logconvert of "
+                     "python3-can makes a candump log of others");
+  const bool any_wanted =
       std::any_of(seen.begin(), seen.end(), [&](const std::string& name) { return wanted.count(name) != 0; });
-  if (named) {
-    for (const can::CanOptions& bus : buses) decoders_.emplace(bus.interface, bus.routes);
-  } else if (buses.size() == 1 && seen.size() == 1) {
-    decoders_.emplace(*seen.begin(), buses.front().routes);
-  } else {
-    throw InputError(file_, "has frames of " + list(seen) + " only, expected some of " + list(wanted));
+  if (!any_wanted && (buses.size() != 1 || seen.size() != 1))
+    throw InputError(file_.name(), "has frames of " + list(seen) + " only, expected some of " + list(wanted) +
+                                       ": --can " + *seen.begin() + "=" + *wanted.begin() + "?");
+  if (!any_wanted) {
+    by_interface[*seen.begin()] = &buses.front();
+    good = useful();
   }
+  if (!good)
+    throw InputError(file_.name(), "none of its " + std::to_string(survey->frames()) +
+                                       " frames is of use to the rig: " + survey->nearest());
+  for (const auto& [interface, bus] : by_interface)
+    buses_.emplace(interface, Bus{*bus, can::FrameDecoder(bus->routes),
+                                  std::make_shared<can::SourceWatch>(bus->routes)});
 }
 
 void CanLog::fetch() {
-  if (pending_ || ended_) return;
-  CanRecord record;
-  if (!reader_.next(record)) {
-    ended_ = true;
-    return;
-  }
-  if (!first_ns_) first_ns_ = record.time_ns;
-  const double at = static_cast<double>(record.time_ns - *first_ns_) * 1e-9;
-  if (at - time_s_ > kLongestGap)
-    throw InputError(file_, reader_.line(), {},
-                     "the time jumps ahead by " + std::to_string(at - time_s_) +
-                         " s, expected at most an hour between two frames");
-  time_s_ = std::max(time_s_, at);
-  pending_ = std::move(record);
+  if (pending_) return;
+  const auto read_ahead = [this] {
+    CanRecord record;
+    const bool more = reader_->next(record);
+    ahead_ = more ? std::optional<CanRecord>(std::move(record)) : std::nullopt;
+    ahead_line_ = reader_->line();
+  };
+  if (!started_) read_ahead();
+  started_ = true;
+  if (!ahead_) return;
+  pending_ = std::move(ahead_);
+  pending_line_ = ahead_line_;
+  read_ahead();
+  const auto next_ns = ahead_ ? std::optional<std::int64_t>(ahead_->time_ns) : std::nullopt;
+  time_s_ = static_cast<double>(clock_.place(pending_->time_ns, next_ns, pending_line_)) * 1e-9;
 }
 
 std::optional<double> CanLog::next_s() {
@@ -70,30 +112,49 @@ std::optional<double> CanLog::next_s() {
   return pending_ ? std::optional<double>(time_s_) : std::nullopt;
 }
 
+void CanLog::take_frame(SignalBoard& board, std::vector<Reading>& readings) {
+  const auto bus = buses_.find(pending_->interface);
+  if (bus == buses_.end()) return;
+  readings.clear();
+  if (!bus->second.decoder.decode(pending_->frame, time_s_, readings)) return;
+  if (pending_->frame.fd && !bus->second.options.fd) {
+    ++fd_refused_;
+    readings.clear();
+    return;
+  }
+  bus->second.sources->add(pending_->frame);
+  bool good = false;
+  for (const Reading& reading : readings) good = board.take(reading) == Validity::kValid || good;
+  used_ += good ? 1 : 0;
+}
+
 bool CanLog::read_until(double until_s, SignalBoard& board) {
   std::vector<Reading> readings;
+  bool told = false;
   for (fetch(); pending_ && time_s_ <= until_s; fetch()) {
-    const auto decoder = decoders_.find(pending_->interface);
-    if (decoder != decoders_.end() && decoder->second.decode(pending_->frame, time_s_, readings)) ++used_;
+    take_frame(board, readings);
+    told = told || !readings.empty();
     pending_.reset();
   }
-  for (const Reading& reading : readings) board.take(reading);
-  return !readings.empty();
+  return told;
 }
 
 std::vector<LogNote> CanLog::notes() const {
-  const CandumpCounts& counts = reader_.counts();
+  const CanCounts& counts = reader_->counts();
   const auto text = [](std::uint64_t n) { return std::to_string(n); };
   std::vector<LogNote> notes = {
       {text(counts.frames) + " frames in " + seconds_text(time_s_) + " s, " + text(used_) + " used"}};
+  if (!reader_->remark().empty()) notes.push_back({reader_->remark()});
   if (counts.other + counts.xl > 0)
     notes.push_back({"skipped " + text(counts.other) + " lines that are no frame and " + text(counts.xl) +
                      " CAN XL frames"});
   if (counts.error_frames > 0) notes.push_back({text(counts.error_frames) + " error frames"});
-  if (counts.backwards > 0)
-    notes.push_back({"time runs backwards here (and " + text(counts.backwards) +
-                         " times in all); kept in the order of the file",
-                     counts.first_backwards_line});
+  if (fd_refused_ > 0)
+    notes.push_back({text(fd_refused_) + " CAN FD frames of the rig's messages were not taken: fd = true?"});
+  for (const auto& [interface, bus] : buses_)
+    for (const std::string& word : bus.sources->found()) notes.push_back({word});
+  const std::vector<LogNote> of_clock = clock_.notes();
+  notes.insert(notes.end(), of_clock.begin(), of_clock.end());
   return notes;
 }
 

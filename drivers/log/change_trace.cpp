@@ -20,8 +20,9 @@ class Watch {
   void compare(double now_s) {
     resolver_.resolve(board_, safety_, now_s);
     for (std::size_t i = 0; i < watched_.size(); ++i) {
-      if (board_.entry(watched_[i]).validity == Validity::kNeverSeen) continue;
       const double value = resolver_.value(watched_[i]);
+      const bool still_absent = !board_.entry(watched_[i]).ever_good() && !told_[i];
+      if (still_absent && value == info(watched_[i].signal).absent) continue;
       if (told_[i] != value) report_({now_s, watched_[i], value});
       told_[i] = value;
     }

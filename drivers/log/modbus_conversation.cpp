@@ -9,15 +9,8 @@ namespace {
 
 using Frame = std::vector<std::uint8_t>;
 
-constexpr std::size_t kMbap = 7, kMaxFrame = 260;
+constexpr std::size_t kMbap = 7;
 constexpr std::size_t kMaxWaiting = 256;
-
-std::size_t frame_size(const Frame& bytes) { return 6 + (bytes[4] << 8 | bytes[5]); }
-
-bool is_modbus(const Frame& bytes) {
-  return bytes.size() < kMbap ||
-         (bytes[2] == 0 && bytes[3] == 0 && frame_size(bytes) > kMbap && frame_size(bytes) <= kMaxFrame);
-}
 
 /// The values of the answer to a read of `count`: bits or registers after the byte count.
 bool take_values(const Frame& answer, modbus::Table table, int count, std::vector<std::uint16_t>& values) {
@@ -32,32 +25,6 @@ bool take_values(const Frame& answer, modbus::Table table, int count, std::vecto
 }
 
 }  // namespace
-
-bool FrameStream::add(const TcpPacket& p) {
-  if (p.syn) {
-    expected_ = p.sequence + 1;
-    bytes_.clear();
-    return true;
-  }
-  if (p.size == 0) return true;
-  const auto behind = static_cast<std::int32_t>(expected_.value_or(p.sequence) - p.sequence);
-  if (behind < 0) bytes_.clear();  // a piece is missing
-  const std::size_t known = behind > 0 ? behind : 0;
-  if (known >= p.size) return true;
-  bytes_.insert(bytes_.end(), p.data + known, p.data + p.size);
-  expected_ = p.sequence + static_cast<std::uint32_t>(p.size);
-  if (is_modbus(bytes_)) return true;
-  bytes_.clear();
-  return false;
-}
-
-Frame FrameStream::next() {
-  if (bytes_.size() < kMbap || !is_modbus(bytes_) || bytes_.size() < frame_size(bytes_)) return {};
-  const auto end = bytes_.begin() + static_cast<std::ptrdiff_t>(frame_size(bytes_));
-  Frame frame(bytes_.begin(), end);
-  bytes_.erase(bytes_.begin(), end);
-  return frame;
-}
 
 void Conversation::request(const Frame& frame) {
   if (waiting_.size() >= kMaxWaiting) waiting_.clear();

@@ -3,32 +3,19 @@
 
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <utility>
 #include <vector>
 
-#include "log/tcp_packet.hpp"
+#include "log/frame_stream.hpp"
 #include "rigsound/modbus/exchange.hpp"
 
 namespace rigsound::log {
 
-/// One direction: segments put in order, cut into Modbus/TCP frames.
-class FrameStream {
- public:
-  /// A segment repeated or overlapping is taken once; after a gap the stream starts anew. Returns false when
-  /// the bytes are no Modbus/TCP.
-  bool add(const TcpPacket& packet);
-
-  /// The next whole frame, MBAP header included; empty when there is none.
-  std::vector<std::uint8_t> next();
-
- private:
-  std::optional<std::uint32_t> expected_;
-  std::vector<std::uint8_t> bytes_;
-};
-
 class Conversation {
  public:
+  explicit Conversation(Framing framing = Framing::kMbap)
+      : to_server(framing, modbus::RtuSide::kRequest), to_client(framing, modbus::RtuSide::kAnswer) {}
+
   enum class Answer : std::uint8_t { kAgreed, kRefused, kUnpaired, kOtherFunction };
 
   void request(const std::vector<std::uint8_t>& frame);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <thread>
 
+#include "modbus/table_reader.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/monotonic_time.hpp"
 
@@ -14,95 +16,169 @@ namespace {
 constexpr std::int64_t kRound_ms = 200;
 
 bool is_exception(int error) { return error >= EMBXILFUN && error <= EMBXGTAR; }
+bool is_bad_frame(int error) {
+  return error == EMBBADCRC || error == EMBBADDATA || error == EMBMDATA || error == EMBBADSLAVE;
+}
+
+std::int64_t milliseconds(double seconds) { return static_cast<std::int64_t>(std::lround(seconds * 1e3)); }
+
+std::vector<RegisterRoute> routes_of(const Line& line) {
+  std::vector<RegisterRoute> all;
+  for (const ModbusOptions& unit : line) all.insert(all.end(), unit.routes.begin(), unit.routes.end());
+  return all;
+}
+
+/// Waits up to one round; returns whether the time has come.
+bool wait_until(std::int64_t due_ms) {
+  const std::int64_t left_ms = due_ms - monotonic_ms();
+  if (left_ms <= 0) return true;
+  std::this_thread::sleep_for(std::chrono::milliseconds(std::min(left_ms, kRound_ms)));
+  return left_ms <= kRound_ms;
+}
 
 }  // namespace
 
-Client::Client(const ModbusOptions& options, BusListener& listener, ModbusTap* tap)
-    : ModbusBus(options, listener, tap), plan_(poll_plan(options.routes)) {}
+Client::Client(const Line& line, BusListener& listener, ModbusTap* tap)
+    : ModbusBus(line.front().address, routes_of(line), listener, tap) {
+  for (const ModbusOptions& unit : line) units_.emplace_back(unit);
+  last_ = units_.size() - 1;
+}
 
 void Client::step() {
-  if (context_) return poll();
-  if (may_open()) connect();
+  tell_silence();
+  if (!context_) {
+    if (may_open()) connect();
+    return;
+  }
+  const std::size_t next = next_unit(monotonic_ms());
+  if (!wait_until(units_[next].next_poll_ms)) return;
+  last_ = next;
+  poll(units_[next]);
 }
 
-void Client::connect() {
+/// Those that are due in turn; when none is, the one that will be first.
+std::size_t Client::next_unit(std::int64_t now_ms) const {
+  std::size_t first = 0;
+  for (std::size_t i = 1; i <= units_.size(); ++i) {
+    const std::size_t candidate = (last_ + i) % units_.size();
+    if (units_[candidate].next_poll_ms <= now_ms) return candidate;
+    if (i == 1 || units_[candidate].next_poll_ms < units_[first].next_poll_ms) first = candidate;
+  }
+  return first;
+}
+
+bool Client::connect() {
+  const ModbusOptions& options = units_.front().options;
   try {
-    context_ = make_context(options_);
-    if (modbus_connect(context_.get()) != 0)
-      throw DeviceError(text(std::string("cannot be reached: ") + modbus_strerror(errno)));
-    modbus_flush(context_.get());  // a serial line may still hold answers to what was asked before
+    context_ = make_context(options);
+    modbus::connect(context_.get(), options);
     answered_ = false;
-    next_poll_ms_ = monotonic_ms();
+    next_request_ms_ = monotonic_ms() + milliseconds(options.pause_s);
+    return true;
   } catch (const DeviceError& error) {
     context_.reset();
-    open_failed(error.what());
+    last_problem_ = error.what();
+    open_failed(last_problem_);
+    return false;
   }
 }
 
-void Client::poll() {
-  const std::int64_t left = next_poll_ms_ - monotonic_ms();
-  if (left > 0) return std::this_thread::sleep_for(std::chrono::milliseconds(std::min(left, kRound_ms)));
-  const auto period = std::max<std::int64_t>(1, static_cast<std::int64_t>(options_.poll_s * 1e3));
-  next_poll_ms_ += period * (1 - left / period);  // a slow device loses polls, it does not gather them
-
-  Exchange answer;
-  for (const PollRequest& request : plan_) {
-    if (!read(request, answer)) {
-      if (!context_) return;
-      continue;
+void Client::poll(Unit& unit) {
+  const std::int64_t period_ms = std::max<std::int64_t>(1, milliseconds(unit.options.poll_s));
+  const std::int64_t now_ms = monotonic_ms();
+  const std::int64_t late_ms = unit.next_poll_ms == 0 ? 0 : now_ms - unit.next_poll_ms;
+  // A slow device loses polls, it does not gather them.
+  unit.next_poll_ms = now_ms - late_ms % period_ms + period_ms;
+  const std::vector<PollRequest> plan = unit.plan;  // what is refused changes it
+  for (const PollRequest& request : plan) {
+    switch (ask(unit, request)) {
+      case Outcome::kAnswered:
+      case Outcome::kRefused:
+        break;
+      case Outcome::kSilent:
+        unit.pause.failed(monotonic_ms());
+        unit.next_poll_ms = monotonic_ms() + unit.pause.left_ms(monotonic_ms());
+        return;
+      case Outcome::kLost:
+        return;
     }
-    if (!answered_) {
-      answered_ = true;
-      report_up();
-    }
-    report_exchange(answer);
   }
+  unit.pause.worked(monotonic_ms());
   opened();  // not before: a device that answers wrong now and then is asked less and less often
 }
 
-bool Client::read(const PollRequest& request, Exchange& answer) {
-  answer = {options_.unit, request.table, false, request.address, {}};
-  answer.values.resize(request.count);
-  const bool bits = holds_bits(request.table);
-  std::vector<std::uint8_t> bit_values(bits ? answer.values.size() : 0);
-  modbus_t* const c = context_.get();
-  int got = -1;
-  switch (request.table) {
-    case Table::kHolding:
-      got = modbus_read_registers(c, request.address, request.count, answer.values.data());
-      break;
-    case Table::kInput:
-      got = modbus_read_input_registers(c, request.address, request.count, answer.values.data());
-      break;
-    case Table::kCoil:
-      got = modbus_read_bits(c, request.address, request.count, bit_values.data());
-      break;
-    case Table::kDiscrete:
-      got = modbus_read_input_bits(c, request.address, request.count, bit_values.data());
-      break;
+Client::Outcome Client::ask(Unit& unit, const PollRequest& request) {
+  Exchange answer;
+  for (;;) {
+    if (!context_ && !connect()) return Outcome::kLost;
+    while (!wait_until(next_request_ms_)) continue;
+    const bool good = read_table(context_.get(), unit.options.unit, request, answer);
+    const int error = errno;
+    next_request_ms_ = monotonic_ms() + milliseconds(unit.options.pause_s);
+    if (good) {
+      take(unit, answer);
+      return Outcome::kAnswered;
+    }
+    if (is_exception(error)) {
+      answered_ = true;
+      refused(unit, request, error);
+      return Outcome::kRefused;
+    }
+    const bool closed_after_an_answer = answered_ && error != ETIMEDOUT && !is_bad_frame(error);
+    if (!closed_after_an_answer) return after_error(unit, error);
+    drop(error);  // as some devices do each time: once more on a connection of its own
   }
-  if (bits) std::copy(bit_values.begin(), bit_values.end(), answer.values.begin());
-  if (got == request.count) {
-    count_.requests.fetch_add(1, std::memory_order_relaxed);
-    return true;
-  }
-  const int error = errno;
-  if (is_exception(error)) {
-    count_.refused.fetch_add(1, std::memory_order_relaxed);
-    warn(text(describe(request.table, request.address) + " (" + std::to_string(request.count) +
-              "): " + modbus_strerror(error)));
-    report_error_value(request);
-  } else {
-    lose(error);
-  }
-  return false;
 }
 
-// The device lives but has no such register, or no value for it.
-void Client::report_error_value(const PollRequest& request) {
+/// After a late or broken answer a TCP stream is out of step: only a new connection is sure. A serial line is
+/// still there, and other units on it are none the worse.
+Client::Outcome Client::after_error(Unit& unit, int error) {
+  if (is_bad_frame(error)) count_.bad_frames.fetch_add(1, std::memory_order_relaxed);
+  last_problem_ = of_unit(unit, modbus_strerror(error));
+  const bool serial = unit.options.transport == Transport::kRtu;
+  if (serial && (error == ETIMEDOUT || is_bad_frame(error))) {
+    modbus_flush(context_.get());
+    if (!unit.delivers) report_problem(last_problem_);
+    return Outcome::kSilent;
+  }
+  const bool had_answers = answered_;
+  drop(error);
+  if (!had_answers) pause_before_reopening();
+  if (!up_) report_problem(last_problem_);
+  return units_.size() > 1 && error == ETIMEDOUT ? Outcome::kSilent : Outcome::kLost;
+}
+
+void Client::drop(int error) {
+  last_problem_ = modbus_strerror(error);
+  context_.reset();
+  answered_ = false;
+}
+
+void Client::take(Unit& unit, const Exchange& answer) {
+  count_.requests.fetch_add(1, std::memory_order_relaxed);
+  answered_ = true;
+  unit.answered_s = monotonic_s();
+  if (!up_) report_up();
+  up_ = unit.delivers = true;
+  report_exchange(answer, unit.options.routes);
+}
+
+/// The device lives, but has no such register, or no value for it.
+void Client::refused(Unit& unit, const PollRequest& request, int error) {
+  count_.refused.fetch_add(1, std::memory_order_relaxed);
+  const bool has_hole = error == EMBXILADD || error == EMBXILVAL;
+  if (has_hole && split(unit.plan, request, unit.options.routes)) {
+    report_problem(of_unit(unit, describe(request.table, request.address) + " (" +
+                                     std::to_string(request.count) + "): " + modbus_strerror(error) +
+                                     "; asked for in parts from now on"));
+    unit.next_poll_ms = monotonic_ms();
+    return;
+  }
+  warn("refused", of_unit(unit, describe(request.table, request.address) + " (" +
+                                    std::to_string(request.count) + "): " + modbus_strerror(error)));
   const double now_s = monotonic_s();
   std::vector<Reading> values;
-  for (const RegisterRoute& route : options_.routes) {
+  for (const RegisterRoute& route : unit.options.routes) {
     const int offset = route.address - request.address;
     if (route.table == request.table && offset >= 0 && offset < request.count)
       values.push_back({route.target, 0, Validity::kErrorValue, now_s});
@@ -110,20 +186,34 @@ void Client::report_error_value(const PollRequest& request) {
   report(values);
 }
 
-// After a late or broken answer the stream is out of step: only a new connection, after a pause, is sure.
-void Client::lose(int error) {
-  if (error == EMBBADCRC || error == EMBBADDATA || error == EMBMDATA || error == EMBBADSLAVE)
-    count_.bad_frames.fetch_add(1, std::memory_order_relaxed);
-  context_.reset();
-  pause_before_reopening();
-  const std::string why = text(modbus_strerror(error));
-  if (answered_) {
-    count_.lost.fetch_add(1, std::memory_order_relaxed);
-    report_down(why);
-  } else {
-    report_problem(why);
+void Client::tell_silence() {
+  const double now_s = monotonic_s();
+  bool any_delivers = false;
+  std::vector<Reading> unknown;
+  std::string silent;
+  for (Unit& unit : units_) {
+    const bool silent_now = unit.delivers && now_s - unit.answered_s > unit.options.down_after_s;
+    if (silent_now) {
+      unit.delivers = false;
+      silent = of_unit(unit, "no answer: " + last_problem_);
+      for (const RegisterRoute& route : unit.options.routes)
+        unknown.push_back({route.target, 0, Validity::kBusDown, now_s});
+    }
+    any_delivers = any_delivers || unit.delivers;
   }
-  answered_ = false;
+  if (unknown.empty()) return;
+  if (any_delivers) {
+    report(unknown);
+    warn("silent", silent);
+    return;
+  }
+  up_ = false;
+  count_.lost.fetch_add(1, std::memory_order_relaxed);
+  report_down(last_problem_);
+}
+
+std::string Client::of_unit(const Unit& unit, const std::string& what) const {
+  return units_.size() > 1 ? "unit " + std::to_string(unit.options.unit) + ": " + what : what;
 }
 
 }  // namespace rigsound::modbus

@@ -1,7 +1,8 @@
-// Asks a device for every register of the rig, once a poll.
+// Asks the units of one line for every register of the rig, each once a poll, in turn.
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "modbus/context.hpp"
@@ -10,22 +11,45 @@
 
 namespace rigsound::modbus {
 
+/// Devices as they are: some close after each answer (the connection is made again at once, and the request
+/// repeated), some have holes in their tables (a request that is refused is split, and stays split). A pause
+/// comes only after a contact without a single answer, and a unit's signals are down only when it was silent
+/// for `down_after_s`.
 class Client final : public ModbusBus {
  public:
-  Client(const ModbusOptions& options, BusListener& listener, ModbusTap* tap);
+  Client(const Line& line, BusListener& listener, ModbusTap* tap);
   void step() override;
 
  private:
-  void connect();
-  void poll();
-  bool read(const PollRequest& request, Exchange& answer);
-  void report_error_value(const PollRequest& request);
-  void lose(int error);
+  struct Unit {
+    explicit Unit(const ModbusOptions& its) : options(its), plan(poll_plan(its.routes)) {}
+    ModbusOptions options;
+    std::vector<PollRequest> plan;
+    std::int64_t next_poll_ms = 0;
+    Backoff pause;          ///< after polls without an answer, when others share the line
+    double answered_s = 0;  ///< last
+    bool delivers = false;
+  };
+  enum class Outcome : std::uint8_t { kAnswered, kRefused, kSilent, kLost };
 
-  std::vector<PollRequest> plan_;
+  std::size_t next_unit(std::int64_t now_ms) const;
+  bool connect();
+  void poll(Unit& unit);
+  Outcome ask(Unit& unit, const PollRequest& request);
+  Outcome after_error(Unit& unit, int error);
+  void take(Unit& unit, const Exchange& answer);
+  void refused(Unit& unit, const PollRequest& request, int error);
+  void drop(int error);
+  void tell_silence();
+  std::string of_unit(const Unit& unit, const std::string& what) const;
+
+  std::vector<Unit> units_;
+  std::size_t last_ = 0;  // unit that was asked last
   Context context_;
-  bool answered_ = false;  // since the connection was made: only an answer shows that somebody is there
-  std::int64_t next_poll_ms_ = 0;
+  bool answered_ = false;  // since the connection was made
+  bool up_ = false;
+  std::int64_t next_request_ms_ = 0;
+  std::string last_problem_;
 };
 
 }  // namespace rigsound::modbus

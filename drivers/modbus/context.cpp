@@ -1,5 +1,6 @@
 #include "modbus/context.hpp"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
 
@@ -7,6 +8,7 @@
 #include <cmath>
 
 #include "rigsound/device_error.hpp"
+#include "rigsound/socket/tcp_connector.hpp"
 
 namespace rigsound::modbus {
 namespace {
@@ -22,6 +24,8 @@ bool is_pseudo_terminal(const std::string& device) {
 modbus_t* new_context(const ModbusOptions& o) {
   if (o.transport == Transport::kTcp)
     return modbus_new_tcp_pi(o.host.c_str(), std::to_string(o.port).c_str());
+  // libmodbus frames RTU on whatever descriptor it is lent; the device is never opened.
+  if (o.transport == Transport::kRtuTcp) return modbus_new_rtu("/dev/null", 19200, 'N', 8, 1);
   const char parity = is_pseudo_terminal(o.address) ? 'N' : o.parity;
   return modbus_new_rtu(o.address.c_str(), o.baud, parity, 8, o.stop_bits);
 }
@@ -31,12 +35,23 @@ modbus_t* new_context(const ModbusOptions& o) {
 Context make_context(const ModbusOptions& o) {
   Context context(new_context(o));
   if (!context || modbus_set_slave(context.get(), o.unit) != 0)
-    throw DeviceError("modbus " + o.address + ": " + modbus_strerror(errno));
+    throw DeviceError(o.address + ": " + modbus_strerror(errno));
   const double whole = std::floor(o.timeout_s);
   modbus_set_response_timeout(context.get(), static_cast<std::uint32_t>(whole),
                               static_cast<std::uint32_t>((o.timeout_s - whole) * 1e6));
   modbus_set_error_recovery(context.get(), MODBUS_ERROR_RECOVERY_NONE);
   return context;
+}
+
+void connect(modbus_t* context, const ModbusOptions& o) {
+  if (o.transport == Transport::kRtuTcp) {
+    const FileDescriptor connection = connect_tcp({o.host, o.port}, o.timeout_s);
+    modbus_set_socket(context, ::fcntl(connection.get(), F_DUPFD_CLOEXEC, 3));  // modbus_close() closes it
+    return;
+  }
+  if (modbus_connect(context) != 0)
+    throw DeviceError(std::string("cannot be reached: ") + modbus_strerror(errno));
+  modbus_flush(context);
 }
 
 }  // namespace rigsound::modbus

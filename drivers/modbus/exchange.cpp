@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 namespace rigsound::modbus {
@@ -14,42 +15,75 @@ std::uint16_t word(const RegisterRoute& route, std::uint16_t raw) {
   return bytes_swapped(route.order) ? static_cast<std::uint16_t>(raw << 8 | raw >> 8) : raw;
 }
 
-std::uint32_t double_word(const RegisterRoute& route, const std::uint16_t* first) {
-  std::uint32_t high = word(route, first[0]), low = word(route, first[1]);
-  if (words_swapped(route.order)) std::swap(high, low);
-  return high << 16 | low;
+/// All words of the value, its first byte on top.
+std::uint64_t assembled(const RegisterRoute& route, const std::uint16_t* first) {
+  const int words = width(route);
+  std::uint64_t bits = 0;
+  for (int i = 0; i < words; ++i)
+    bits = bits << 16 | word(route, first[words_swapped(route.order) ? words - 1 - i : i]);
+  return bits;
+}
+
+std::uint64_t masked(std::uint64_t bits, std::uint32_t mask) {
+  bits &= mask;
+  for (; (mask & 1U) == 0; mask >>= 1) bits >>= 1;
+  return bits;
+}
+
+template <typename Number, typename Bits>
+double as(Bits bits) {
+  Number value = 0;
+  static_assert(sizeof value == sizeof bits);
+  std::memcpy(&value, &bits, sizeof value);
+  return static_cast<double>(value);
 }
 
 double raw_value(const RegisterRoute& route, const std::uint16_t* first) {
   if (holds_bits(route.table)) return first[0] != 0 ? 1 : 0;
+  const std::uint64_t bits = assembled(route, first);
+  if (route.mask != 0) return static_cast<double>(masked(bits, route.mask));
   switch (route.type) {
     case WordType::kInt16:
-      return static_cast<std::int16_t>(word(route, first[0]));
-    case WordType::kUint16:
-      return word(route, first[0]);
+      return as<std::int16_t>(static_cast<std::uint16_t>(bits));
     case WordType::kInt32:
-      return static_cast<std::int32_t>(double_word(route, first));
-    case WordType::kUint32:
-      return double_word(route, first);
+      return as<std::int32_t>(static_cast<std::uint32_t>(bits));
     case WordType::kFloat32:
+      return as<float>(static_cast<std::uint32_t>(bits));
+    case WordType::kInt64:
+      return as<std::int64_t>(bits);
+    case WordType::kFloat64:
+      return as<double>(bits);
+    case WordType::kUint16:
+    case WordType::kUint32:
+    case WordType::kUint64:
       break;
   }
-  const std::uint32_t bits = double_word(route, first);
-  float value = 0;
-  std::memcpy(&value, &bits, sizeof value);
-  return value;
+  return static_cast<double>(bits);
 }
 
 }  // namespace
 
 int width(const RegisterRoute& route) {
-  const bool one =
-      holds_bits(route.table) || route.type == WordType::kInt16 || route.type == WordType::kUint16;
-  return one ? 1 : 2;
+  if (holds_bits(route.table)) return 1;
+  switch (route.type) {
+    case WordType::kInt16:
+    case WordType::kUint16:
+      return 1;
+    case WordType::kInt64:
+    case WordType::kUint64:
+    case WordType::kFloat64:
+      return 4;
+    default:
+      return 2;
+  }
 }
 
 double decode(const RegisterRoute& route, const std::uint16_t* first) {
-  return raw_value(route, first) * route.scale + route.offset;
+  const double raw = raw_value(route, first);
+  if (route.values.empty()) return raw * route.scale + route.offset;
+  for (const NamedValue& named : route.values)
+    if (raw == static_cast<double>(named.raw)) return named.value;
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 void readings(const Exchange& exchange, const std::vector<RegisterRoute>& routes, double time_s,
@@ -58,20 +92,23 @@ void readings(const Exchange& exchange, const std::vector<RegisterRoute>& routes
   for (const RegisterRoute& route : routes) {
     if (route.table != exchange.table || route.address < first || route.address + width(route) > end)
       continue;
-    out.push_back(
-        {route.target, decode(route, &exchange.values[route.address - first]), Validity::kValid, time_s});
+    const std::uint16_t* const words = &exchange.values[route.address - first];
+    const double value = decode(route, words);
+    const bool in_table = route.values.empty() || value == value;
+    out.push_back({route.target, in_table ? value : raw_value(route, words),
+                   in_table ? Validity::kValid : Validity::kOutOfRange, time_s});
   }
 }
 
+int manual_base(Table table) {
+  constexpr std::array<int, 4> kBases = {40001, 30001, 1, 10001};
+  return kBases[static_cast<std::size_t>(table)];
+}
+
 std::string describe(Table table, std::uint16_t address) {
-  struct Name {
-    const char* word;
-    int base;
-  };
-  constexpr std::array<Name, 4> kNames = {
-      {{"holding", 40001}, {"input", 30001}, {"coil", 1}, {"discrete", 10001}}};
-  const Name& name = kNames[static_cast<std::size_t>(table)];
-  return std::string(name.word) + " " + std::to_string(address) + " = " + std::to_string(name.base + address);
+  constexpr std::array<const char*, 4> kWords = {"holding", "input", "coil", "discrete"};
+  return std::string(kWords[static_cast<std::size_t>(table)]) + " " + std::to_string(address) + " = " +
+         std::to_string(manual_base(table) + address);
 }
 
 }  // namespace rigsound::modbus

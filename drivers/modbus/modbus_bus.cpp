@@ -1,5 +1,7 @@
 #include "modbus/modbus_bus.hpp"
 
+#include <algorithm>
+
 #include "modbus/client.hpp"
 #include "modbus/rtu_server.hpp"
 #include "modbus/tcp_server.hpp"
@@ -7,13 +9,14 @@
 
 namespace rigsound::modbus {
 
-ModbusBus::ModbusBus(const ModbusOptions& options, BusListener& listener, ModbusTap* tap)
-    : BusBase("modbus " + options.address, targets(options.routes), listener), options_(options), tap_(tap) {}
+ModbusBus::ModbusBus(const std::string& address, const std::vector<RegisterRoute>& routes,
+                     BusListener& listener, ModbusTap* tap)
+    : BusBase("modbus " + address, targets(routes), listener), tap_(tap) {}
 
-void ModbusBus::report_exchange(const Exchange& exchange) {
+void ModbusBus::report_exchange(const Exchange& exchange, const std::vector<RegisterRoute>& routes) {
   if (tap_ != nullptr) tap_->traffic(&exchange, 1);
   std::vector<Reading> values;
-  readings(exchange, options_.routes, monotonic_s(), values);
+  readings(exchange, routes, monotonic_s(), values);
   report(values);
 }
 
@@ -29,10 +32,26 @@ std::vector<BusCounter> ModbusBus::counters() const {
           {"losses", read(count_.lost)}};
 }
 
-std::unique_ptr<Bus> make_bus(const ModbusOptions& options, BusListener& listener, ModbusTap* tap) {
-  if (options.role == Role::kClient) return std::make_unique<Client>(options, listener, tap);
-  if (options.transport == Transport::kTcp) return std::make_unique<TcpServer>(options, listener, tap);
-  return std::make_unique<RtuServer>(options, listener, tap);
+std::vector<Line> lines(const std::vector<ModbusOptions>& sections) {
+  std::vector<Line> lines;
+  for (const ModbusOptions& section : sections) {
+    const auto same = std::find_if(lines.begin(), lines.end(), [&](const Line& line) {
+      return section.role == Role::kClient && line.front().role == Role::kClient &&
+             line.front().address == section.address;
+    });
+    if (same == lines.end())
+      lines.push_back({section});
+    else
+      same->push_back(section);
+  }
+  return lines;
+}
+
+std::unique_ptr<Bus> make_bus(const Line& line, BusListener& listener, ModbusTap* tap) {
+  const ModbusOptions& first = line.front();
+  if (first.role == Role::kClient) return std::make_unique<Client>(line, listener, tap);
+  if (first.transport != Transport::kRtu) return std::make_unique<TcpServer>(first, listener, tap);
+  return std::make_unique<RtuServer>(first, listener, tap);
 }
 
 }  // namespace rigsound::modbus

@@ -16,13 +16,13 @@ class ModbusBus : public BusBase {
   std::vector<BusCounter> counters() const override;
 
  protected:
-  ModbusBus(const ModbusOptions& options, BusListener& listener, ModbusTap* tap);
+  /// `address`: of the line, for the bus's name; `routes`: all that it delivers.
+  ModbusBus(const std::string& address, const std::vector<RegisterRoute>& routes, BusListener& listener,
+            ModbusTap* tap);
 
-  void report_exchange(
-      const Exchange& exchange);  ///< to the tap, and what it says of the rig to the listener
-  std::string text(const std::string& what) const { return name() + ": " + what; }
+  /// To the tap, and what it says of these routes to the listener.
+  void report_exchange(const Exchange& exchange, const std::vector<RegisterRoute>& routes);
 
-  ModbusOptions options_;
   struct Counts {
     std::atomic<std::uint64_t> requests{0};    // transactions that went well
     std::atomic<std::uint64_t> refused{0};     // answered, or met, with an exception

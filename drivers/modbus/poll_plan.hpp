@@ -16,4 +16,9 @@ struct PollRequest {
 /// Near values (gaps of at most 8) share a request.
 std::vector<PollRequest> poll_plan(const std::vector<RegisterRoute>& routes);
 
+/// For a request that a device refused as a whole: in its place requests without gaps, or, where it had none,
+/// one a value. False, and nothing changed, when it is for one value already.
+bool split(std::vector<PollRequest>& plan, const PollRequest& request,
+           const std::vector<RegisterRoute>& routes);
+
 }  // namespace rigsound::modbus

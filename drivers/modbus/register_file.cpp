@@ -28,15 +28,10 @@ bool covers(const Range& range, const RegisterRoute& route) {
 
 RegisterFile::RegisterFile(const std::vector<RegisterRoute>& routes) : routes_(routes) {
   for (int t = 0; t < 4; ++t) span_[t] = span_of(routes, static_cast<Table>(t));
-  const auto start = [this](Table t) {
-    return static_cast<unsigned>(span_[static_cast<std::size_t>(t)].address);
-  };
-  const auto count = [this](Table t) {
-    return static_cast<unsigned>(span_[static_cast<std::size_t>(t)].count);
-  };
-  mapping_.reset(modbus_mapping_new_start_address(
-      start(Table::kCoil), count(Table::kCoil), start(Table::kDiscrete), count(Table::kDiscrete),
-      start(Table::kHolding), count(Table::kHolding), start(Table::kInput), count(Table::kInput)));
+  // A write may begin and end outside of what is in use: libmodbus gets whole tables.
+  const auto size = [this](Table t) { return span_[static_cast<std::size_t>(t)].count > 0 ? 0x10000 : 0; };
+  mapping_.reset(modbus_mapping_new(size(Table::kCoil), size(Table::kDiscrete), size(Table::kHolding),
+                                    size(Table::kInput)));
   if (!mapping_) throw std::bad_alloc();
 }
 
@@ -46,19 +41,20 @@ bool RegisterFile::readable(Table table, const Range& range) const {
 }
 
 bool RegisterFile::writable(Table table, const Range& range) const {
-  for (int a = range.address; a < range.address + range.count; ++a) {
-    const Range one{static_cast<std::uint16_t>(a), 1};
-    const auto holds = [&](const RegisterRoute& route) {
-      return route.table == table && overlaps(route, one);
-    };
-    if (std::none_of(routes_.begin(), routes_.end(), holds)) return false;
-  }
-  return true;
+  return range.address + range.count <= 0x10000 &&
+         std::any_of(routes_.begin(), routes_.end(), [&](const RegisterRoute& route) {
+           return route.table == table && overlaps(route, range);
+         });
 }
 
-std::uint16_t RegisterFile::held(std::uint16_t address) const {
-  return mapping_->tab_registers[address - mapping_->start_registers];
+std::string RegisterFile::meant_address(Table table, const Range& range) const {
+  const int base = manual_base(table);
+  const Range counted_from_0{static_cast<std::uint16_t>(range.address - base), range.count};
+  if (range.address < base || !writable(table, counted_from_0)) return {};
+  return describe(table, counted_from_0.address);
 }
+
+std::uint16_t RegisterFile::held(std::uint16_t address) const { return mapping_->tab_registers[address]; }
 
 std::optional<Refusal> RegisterFile::check(const Request& request, Exchange& change) const {
   change = {};

@@ -3,13 +3,13 @@
 #include <array>
 #include <cerrno>
 
+#include "modbus/rtu_frame.hpp"
 #include "rigsound/device_error.hpp"
 
 namespace rigsound::modbus {
 namespace {
 
 constexpr std::uint32_t kRound_us = 200'000;
-constexpr int kUnitAndChecksum = 3;  // bytes around the PDU of an RTU frame
 
 }  // namespace
 
@@ -29,15 +29,16 @@ void RtuServer::step() {
     if (error == ETIMEDOUT) return;
     return error == EMBBADCRC || error == EMBBADDATA ? drop_bad_frame(error) : lose(error);
   }
-  if (!respond(context_.get(), frame.data(), size, size - kUnitAndChecksum, "serial line")) lose(errno);
+  const std::size_t pdu_size = static_cast<std::size_t>(size) - kRtuEnds;
+  if (respond(context_.get(), frame.data(), size, pdu_size, "serial line") == Reply::kFailed) lose(errno);
 }
 
 void RtuServer::open() {
   try {
-    context_ = make_context(options_);
+    context_ = make_context(options());
     modbus_set_indication_timeout(context_.get(), 0, kRound_us);
     if (modbus_connect(context_.get()) != 0)
-      throw DeviceError(text(std::string("cannot be opened: ") + modbus_strerror(errno)));
+      throw DeviceError(std::string("cannot be opened: ") + modbus_strerror(errno));
     opened();
     report_up();
   } catch (const DeviceError& error) {
@@ -49,7 +50,7 @@ void RtuServer::open() {
 // What follows a broken frame belongs to it: only a silent line starts the next one.
 void RtuServer::drop_bad_frame(int error) {
   count_.bad_frames.fetch_add(1, std::memory_order_relaxed);
-  warn(text(modbus_strerror(error)));
+  warn("bad frame", modbus_strerror(error));
   modbus_flush(context_.get());
 }
 
@@ -57,7 +58,7 @@ void RtuServer::lose(int error) {
   count_.lost.fetch_add(1, std::memory_order_relaxed);
   context_.reset();
   pause_before_reopening();
-  report_down(text(modbus_strerror(error)));
+  report_down(modbus_strerror(error));
 }
 
 }  // namespace rigsound::modbus

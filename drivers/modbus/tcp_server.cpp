@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 
-#include "modbus/tcp_socket.hpp"
+#include "modbus/rtu_frame.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/monotonic_time.hpp"
 #include "rigsound/socket/tcp_listener.hpp"
@@ -25,14 +25,7 @@ std::size_t length_field(const std::uint8_t* frame) { return frame[4] << 8 | fra
 TcpServer::TcpServer(const ModbusOptions& options, BusListener& listener, ModbusTap* tap)
     : ModbusServer(options, listener, tap), context_(make_context(options)) {}
 
-int TcpServer::port() const {
-  sockaddr_storage address{};
-  socklen_t size = sizeof address;
-  if (!listening_ || ::getsockname(listening_.get(), reinterpret_cast<sockaddr*>(&address), &size) != 0)
-    return 0;
-  return ntohs(
-      reinterpret_cast<const sockaddr_in&>(address).sin_port);  // the port lies alike in sockaddr_in6
-}
+int TcpServer::port() const { return bound_port(listening_); }
 
 void TcpServer::step() {
   if (!listening_) {
@@ -44,17 +37,24 @@ void TcpServer::step() {
   if (::poll(polls.data(), polls.size(), kRound_ms) < 0) return;
   for (std::size_t i = 0; i < connections_.size(); ++i)
     if (polls[i + 1].revents != 0 && !serve(connections_[i])) connections_[i].fd.reset();
+  // A connection that wrote and closed within one round was a master all the same.
+  note_masters();
   forget_closed();
+  note_masters();
   if (polls[0].revents != 0) accept_all();
   open_.store(connections_.size(), std::memory_order_relaxed);
 }
 
 void TcpServer::listen() {
   try {
-    listening_ = listen_tcp({options_.host, options_.port});
+    listening_ = listen_tcp({options().host, options().port});
     report_up();
   } catch (const DeviceError& error) {
-    open_failed(error.what());
+    const bool taken = errno == EADDRINUSE;
+    open_failed(error.what() +
+                std::string(taken ? ": another program listens there; beside a running rigsoundd "
+                                    "its own --session is the record"
+                                  : ""));
   }
 }
 
@@ -65,11 +65,11 @@ void TcpServer::accept_all() {
     FileDescriptor fd(
         ::accept4(listening_.get(), reinterpret_cast<sockaddr*>(&peer), &size, SOCK_NONBLOCK | SOCK_CLOEXEC));
     if (!fd) return;
-    const bool welcome = allowed(address_bytes(peer), options_.allow);
+    const bool welcome = allowed(address_bytes(peer), options().allow);
     if (!welcome || connections_.size() >= kMaxConnections) {
       count_.rejected_connections.fetch_add(1, std::memory_order_relaxed);
-      warn(text(address_text(peer) + ": connection rejected: " +
-                (welcome ? "too many connections" : "not in an allowed network")));
+      const char* const why = welcome ? "too many connections" : "not in an allowed network";
+      warn(why, address_text(peer) + ": connection rejected: " + why);
       continue;
     }
     const int on = 1;
@@ -91,29 +91,68 @@ bool TcpServer::serve(Connection& c) {
   return answer_whole_frames(c);
 }
 
-bool TcpServer::answer_whole_frames(Connection& c) {
-  while (c.filled >= kMbap) {
-    const std::size_t length = length_field(c.bytes.data());  // of unit and PDU
-    const bool modbus =
-        c.bytes[2] == 0 && c.bytes[3] == 0 && length >= 2 && length <= MODBUS_MAX_PDU_LENGTH + 1;
-    if (!modbus) return bad_frame(c, "not Modbus"), false;
-    const std::size_t size = kMbap - 1 + length;
-    if (c.filled < size) return true;
-    c.last_ms = monotonic_ms();
-    modbus_set_socket(context_.get(), c.fd.get());
-    const bool sent = respond(context_.get(), c.bytes.data(), static_cast<int>(size), size - kMbap, c.peer);
-    modbus_set_socket(context_.get(), -1);
-    if (!sent) return false;
-    std::copy(c.bytes.begin() + static_cast<std::ptrdiff_t>(size),
-              c.bytes.begin() + static_cast<std::ptrdiff_t>(c.filled), c.bytes.begin());
-    c.filled -= size;
+std::optional<TcpServer::Frame> TcpServer::first_frame(const Connection& c) const {
+  if (options().transport == Transport::kRtuTcp) {
+    const auto size = rtu_frame_size(RtuSide::kRequest, c.bytes.data(), c.filled);
+    if (!size) return std::nullopt;
+    if (*size == 0 || c.filled < *size) return Frame{};
+    const unsigned told = c.bytes[*size - 2] | c.bytes[*size - 1] << 8;
+    if (rtu_checksum(c.bytes.data(), *size - 2) != told) return std::nullopt;
+    return Frame{*size, *size - kRtuEnds};
   }
-  return true;
+  if (c.filled < kMbap) return Frame{};
+  const std::size_t length = length_field(c.bytes.data());  // of unit and PDU
+  const bool modbus =
+      c.bytes[2] == 0 && c.bytes[3] == 0 && length >= 2 && length <= MODBUS_MAX_PDU_LENGTH + 1;
+  if (!modbus) return std::nullopt;
+  const std::size_t size = kMbap - 1 + length;
+  return c.filled < size ? Frame{} : Frame{size, size - kMbap};
+}
+
+bool TcpServer::answer_whole_frames(Connection& c) {
+  for (;;) {
+    const auto frame = first_frame(c);
+    if (!frame) return bad_frame(c, "not Modbus"), false;
+    if (frame->size == 0) return true;
+    c.last_ms = monotonic_ms();
+    const std::uint64_t writes_before = writes();
+    modbus_set_socket(context_.get(), c.fd.get());
+    const Reply reply =
+        respond(context_.get(), c.bytes.data(), static_cast<int>(frame->size), frame->pdu_size, c.peer);
+    modbus_set_socket(context_.get(), -1);
+    c.wrote = c.wrote || writes() != writes_before;
+    if (reply == Reply::kFailed) return false;
+    std::copy(c.bytes.begin() + static_cast<std::ptrdiff_t>(frame->size),
+              c.bytes.begin() + static_cast<std::ptrdiff_t>(c.filled), c.bytes.begin());
+    c.filled -= frame->size;
+  }
+}
+
+/// What a master wrote stands while one is there, and a little longer: some connect for every write.
+void TcpServer::note_masters() {
+  if (options().master_gone_after_s == 0) return;
+  const bool any =
+      std::any_of(connections_.begin(), connections_.end(), [](const Connection& c) { return c.wrote; });
+  if (any) {
+    had_master_ = true;
+    gone_ms_ = 0;
+    return;
+  }
+  if (!had_master_) return;
+  const std::int64_t now_ms = monotonic_ms();
+  if (gone_ms_ == 0) gone_ms_ = now_ms;
+  if (static_cast<double>(now_ms - gone_ms_) < options().master_gone_after_s * 1e3) return;
+  had_master_ = false;
+  gone_ms_ = 0;
+  report_all(Validity::kBusDown);
+  warn("master gone",
+       "the last connection that wrote has closed: its signals obey their safety rules "
+       "(master_gone_after_ms)");
 }
 
 void TcpServer::bad_frame(const Connection& connection, const char* what) {
   count_.bad_frames.fetch_add(1, std::memory_order_relaxed);
-  warn(text(connection.peer + ": " + what + ", connection closed"));
+  warn(what, connection.peer + ": " + what + ", connection closed");
 }
 
 void TcpServer::forget_closed() {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,16 @@ class TcpServer final : public ModbusServer {
     std::array<std::uint8_t, MODBUS_TCP_MAX_ADU_LENGTH> bytes{};
     std::size_t filled = 0;
     std::int64_t last_ms = 0;
+    bool wrote = false;  // it is a master: what it wrote stands while it is there
   };
 
+  /// A whole frame at the beginning of a connection's bytes.
+  struct Frame {
+    std::size_t size = 0;      ///< 0: more must come
+    std::size_t pdu_size = 0;  ///< from the function code on
+  };
+  std::optional<Frame> first_frame(const Connection& connection) const;  ///< nothing: no Modbus
+  void note_masters();
   void listen();
   void accept_all();
   bool serve(Connection& connection);
@@ -43,6 +52,8 @@ class TcpServer final : public ModbusServer {
   FileDescriptor listening_;
   std::vector<Connection> connections_;
   std::atomic<std::size_t> open_{0};
+  std::int64_t gone_ms_ = 0;  // when the last master went; 0: there is one, or there was none
+  bool had_master_ = false;
 };
 
 }  // namespace rigsound::modbus

@@ -40,11 +40,13 @@ Validity SignalBoard::take(const Reading& reading) noexcept {
     }
   }
   if (validity != Validity::kValid) {
-    if (validity != Validity::kBusDown) {
+    const bool told = validity != Validity::kBusDown && validity != Validity::kStale;
+    if (told) {
       ++entry.refused;
       entry.last_refusal = validity;
     }
-    if (entry.validity != Validity::kNeverSeen) entry.validity = validity;
+    if (!entry.ever_good()) entry.value = limits.absent;
+    if (entry.validity != Validity::kNeverSeen || told) entry.validity = validity;
     return validity;
   }
   entry.value = limits.stepped() ? std::floor(value + 0.5) : value;

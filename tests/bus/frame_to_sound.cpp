@@ -1,6 +1,6 @@
-// frame_to_sound PCM INTERFACE PERIOD TRIES: time from a CAN frame to the first sample it changes.
-// The diesel runs, the master gain goes from -60 dB to 0 dB. Prints one line a try, `latency_ms X`: from the
-// moment before send() to the moment the first louder sample is captured.
+// frame_to_sound PCM INTERFACE|HOST:PORT PERIOD TRIES: time from a CAN frame, or a datagram, to the first
+// sample it changes. The diesel runs, the master gain goes from -60 dB to 0 dB. Prints one line a try,
+// `latency_ms X`: from the moment before send() to the moment the first louder sample is captured.
 #include <alsa/asoundlib.h>
 #include <sys/mman.h>
 
@@ -10,11 +10,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "rigsound/can/can_sender.hpp"
+#include "rigsound/udp/udp_sender.hpp"
 
 using namespace rigsound;
 
@@ -42,6 +44,39 @@ can::Frame diesel_on() { return message(0x0CF004FE, {0xFF, 0xFF, 0xFF, 0x80, 0x3
 can::Frame master_gain(double db) {
   const auto raw = static_cast<std::uint8_t>((db + 60) / 0.5);
   return message(0x18FF11FE, {raw, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF});
+}
+
+/// The simulator's end of a bus.
+class Sender {
+ public:
+  virtual ~Sender() = default;
+  virtual void diesel_on() = 0;
+  virtual void master_gain(double db) = 0;
+};
+
+class CanEnd : public Sender {
+ public:
+  explicit CanEnd(const std::string& interface) : bus_(interface) {}
+  void diesel_on() override { bus_.send(::diesel_on()); }
+  void master_gain(double db) override { bus_.send(::master_gain(db)); }
+
+ private:
+  can::CanSender bus_;
+};
+
+class UdpEnd : public Sender {
+ public:
+  explicit UdpEnd(const std::string& address) : socket_(address) {}
+  void diesel_on() override { socket_.send(R"({"engine_rpm": 2000})"); }
+  void master_gain(double db) override { socket_.send(R"({"master_gain_db": )" + std::to_string(db) + "}"); }
+
+ private:
+  udp::UdpSender socket_;
+};
+
+std::unique_ptr<Sender> sender_to(const std::string& where) {
+  if (where.find(':') != std::string::npos) return std::make_unique<UdpEnd>(where);
+  return std::make_unique<CanEnd>(where);
 }
 
 class Capture {
@@ -105,12 +140,12 @@ float peak_when_quiet(Capture& capture) {
   return peak;
 }
 
-double measure(Capture& capture, can::CanSender& bus) {
-  bus.send(master_gain(-60));
+double measure(Capture& capture, Sender& bus) {
+  bus.master_gain(-60);
   const float quiet = peak_when_quiet(capture);
   if (quiet == 0) throw std::runtime_error("no sound at all");
   const double sent_s = now_s();
-  bus.send(master_gain(0));
+  bus.master_gain(0);
   for (;;) {
     const double end_s = capture.read();
     const int first = capture.first_above(4 * quiet);
@@ -121,14 +156,15 @@ double measure(Capture& capture, can::CanSender& bus) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 5) return std::fprintf(stderr, "usage: frame_to_sound PCM INTERFACE PERIOD TRIES\n"), 2;
+  if (argc != 5)
+    return std::fprintf(stderr, "usage: frame_to_sound PCM INTERFACE|HOST:PORT PERIOD TRIES\n"), 2;
   ::mlockall(MCL_CURRENT | MCL_FUTURE);
   try {
     Capture capture(argv[1], static_cast<unsigned>(std::atoi(argv[3])));
-    can::CanSender bus(argv[2]);
-    bus.send(diesel_on());
+    const std::unique_ptr<Sender> bus = sender_to(argv[2]);
+    bus->diesel_on();
     for (int i = 0; i < std::atoi(argv[4]); ++i)
-      std::printf("latency_ms %.3f\n", 1e3 * measure(capture, bus));
+      std::printf("latency_ms %.3f\n", 1e3 * measure(capture, *bus));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 3;

@@ -114,6 +114,20 @@ class Contrast(Case):
         self.assertEqual(result.stderr, '')
         self.assertIn('Can it be heard?', page.read_text())
 
+    def test_rods_and_rocks_are_compared_when_the_set_knows_several(self):
+        folder = write_sound_set(self.folder / 'set')
+        index = folder / 'soundset.toml'
+        index.write_text(index.read_text() + '[[rock]]\nname = "marl"\n[[rock]]\nname = "gneiss"\n' + ''.join(
+            f'[[bank]]\nname = "{name}"\nsituation = "normal"\nrods = {rods}\n' for name, rods in
+            (('normal', 1), ('overfeed', 6))))
+        result = self.contrast(folder, '--json')
+        figures = json.loads(result.stdout)
+        told = {(p['first'], p['second']): p['told_apart'] for p in figures['rods']['pairs']}
+        self.assertEqual(told, {('1 rod', '6 rods'): True, ('1 rod', '20 rods'): True, ('6 rods', '20 rods'): False})
+        self.assertEqual([p['told_apart'] for p in figures['rocks']['pairs']], [False])
+        self.assertIn('warning: 20 rods cannot be told from 6 rods', result.stderr)
+        self.assertIn('warning: gneiss cannot be told from marl', result.stderr)
+
     def test_a_copied_bank_is_named(self):
         folder = write_sound_set(self.folder / 'set')
         shutil.rmtree(folder / 'banks/overfeed')
@@ -126,6 +140,7 @@ class Contrast(Case):
         self.refused(1, 'there is no folder', 'contrast', self.rig('absent'))
         rig = self.rig(write_sound_set(self.folder / 'set'))
         self.refused(2, '--boom: is left, expected ', 'contrast', rig, '--boom', 'left')
+        self.refused(1, 'is the rig itself', 'contrast', rig, '--report', rig)
         self.refused(3, 'absent', 'contrast', rig, '--report', self.folder / 'absent/page.html')
 
 

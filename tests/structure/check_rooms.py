@@ -21,7 +21,7 @@ RULES = {
     'engine/dsp': ((), ()),
     'engine/machine': (('engine/dsp',), ()),
     'engine': (GROUND, ()),
-    'drivers': ((*GROUND, 'engine'), ('modbus', 'alsa/', 'sndfile', 'pcap', 'readerwriterqueue', 'POSIX')),
+    'drivers': ((*GROUND, 'engine'), ('modbus', 'alsa/', 'sndfile', 'pcap', 'readerwriterqueue', 'nlohmann/', 'POSIX')),
     'config': ((*GROUND, 'engine', 'drivers'), ('toml++/', 'nlohmann/', 'sndfile', 'samplerate', 'fmt/')),
     'analysis': ((*GROUND, 'engine', 'drivers', 'config'),
                  ('Eigen/', 'unsupported/Eigen/', 'nlopt', 'sndfile', 'samplerate', 'nlohmann/', 'openssl/', 'fmt/',
@@ -42,7 +42,7 @@ FLOORS = (
 # The daemon and the library play; they never analyse.
 PLAYERS = {'tools/rigsoundd/': 'the daemon', 'tools/library/': 'the library'}
 # Programs of other people, built against what is installed.
-EXAMPLES = 'tools/library/examples/'
+EXAMPLES = ('tools/library/examples/', 'config/examples/')
 # CLI11 costs seconds in every file that includes it.
 COMMAND_LINE = 'tools/cli/'
 # What the engine must not know even from the standard library.

@@ -29,7 +29,7 @@ std::string wrapped(const std::string& text) {
     }
     out += line + '\n';
   }
-  if (!out.empty()) out.pop_back();
+  while (!out.empty() && out.back() == '\n') out.pop_back();
   return out;
 }
 
@@ -40,7 +40,7 @@ struct HelpFormatter : CLI::Formatter {
     const std::size_t examples = std::min(footer.find(kExample), footer.size());
     const std::string text = wrapped(footer.substr(0, examples));
     return footer.empty() ? ""
-                          : text + (text.empty() || examples == footer.size() ? "" : "\n") +
+                          : text + (text.empty() || examples == footer.size() ? "" : "\n\n") +
                                 footer.substr(examples) + "\n";
   }
 };
@@ -206,6 +206,10 @@ Option Option::group(const std::string& heading) {
 }
 Option Option::separated_by_commas() {
   option_->delimiter(',');
+  return *this;
+}
+Option Option::repeatable() {
+  option_->allow_extra_args(false);
   return *this;
 }
 Option Option::count(int values) {

@@ -36,6 +36,7 @@ class Option {
   Option type(const std::string& name);       ///< in the help, instead of TEXT, NUMBER or INTEGER
   Option group(const std::string& heading);   ///< in the help
   Option separated_by_commas();               ///< of a list: also `800,1500`
+  Option repeatable();                        ///< of a list: one value each time it is given
   Option count(int values);                   ///< of a list: exactly so many
   Option value_or(const std::string& value);  ///< the name alone means this value
   Option excludes(const Option& other);

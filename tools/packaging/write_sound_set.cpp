@@ -1,4 +1,5 @@
-// write_sound_set FOLDER: a small sound set from formulas, for the packages and for tests: it needs no analysis.
+// write_sound_set FOLDER: a small sound set from formulas, for the packages and for tests: it needs no
+// analysis.
 #include <cstdio>
 #include <exception>
 

@@ -45,12 +45,25 @@ void print_modbus(const config::Rig& rig) {
   }
 }
 
+void print_udp(const config::Rig& rig) {
+  for (const udp::UdpOptions& input : rig.udp) {
+    fmt::print("udp {}: {} signals\n", input.address, input.routes.size());
+    for (const udp::NameRoute& route : input.routes) {
+      fmt::print("  {:<20}", route.name);
+      print_rule(rig, route.target);
+    }
+  }
+}
+
 bool delivers(const config::Rig& rig, Signal signal) {
   for (const can::CanOptions& bus : rig.can)
     for (const can::SignalRoute& route : bus.routes)
       if (route.target.signal == signal) return true;
   for (const modbus::ModbusOptions& link : rig.modbus)
     for (const modbus::RegisterRoute& route : link.routes)
+      if (route.target.signal == signal) return true;
+  for (const udp::UdpOptions& input : rig.udp)
+    for (const udp::NameRoute& route : input.routes)
       if (route.target.signal == signal) return true;
   return false;
 }
@@ -107,6 +120,8 @@ void check(const Options& options) {
   print_feed_reach(rig, sounds);
   print_can(rig);
   print_modbus(rig);
+  print_udp(rig);
+  for (const std::string& doubt : rig.doubts) fmt::print(stderr, "{}\n", doubt);
   warn_of_missing_signals(rig);
   if (options.probe) probe_modbus(rig);
 }

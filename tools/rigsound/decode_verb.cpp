@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "decode/state_csv.hpp"
+#include "log_arguments.hpp"
 #include "log_notes.hpp"
 #include "refused_values.hpp"
 #include "rigsound/config/rig.hpp"
@@ -15,7 +16,8 @@ namespace rigsound::tools {
 namespace {
 
 struct Options {
-  std::string rig, log, session;
+  std::string rig, session;
+  LogArguments log;
 };
 
 std::vector<SignalId> watched(const config::Rig& rig) {
@@ -24,6 +26,8 @@ std::vector<SignalId> watched(const config::Rig& rig) {
     for (const can::SignalRoute& route : bus.routes) ids.push_back(route.target);
   for (const modbus::ModbusOptions& link : rig.modbus)
     for (const modbus::RegisterRoute& route : link.routes) ids.push_back(route.target);
+  for (const udp::UdpOptions& input : rig.udp)
+    for (const udp::NameRoute& route : input.routes) ids.push_back(route.target);
   return ids;
 }
 
@@ -67,12 +71,13 @@ void print(const std::string& csv) { std::fwrite(csv.data(), 1, csv.size(), stdo
 
 void decode_log(const Options& options) {
   const config::Rig rig = config::load_rig(options.rig);
-  const std::unique_ptr<log::BusLog> log = log::open_log(options.log, rig.can, rig.modbus);
+  const std::unique_ptr<log::BusLog> log =
+      log::open_log(options.log.log, config::buses_of(rig), log_options(options.log));
   LogRows rows(rig);  // printed whole or not at all
   const SignalBoard board = log::trace_changes(*log, rig.safety, watched(rig),
                                                [&](const log::Change& change) { rows.add(change); });
   print(rows.finish());
-  print_log_notes(options.log, *log);
+  print_log_notes(options.log.log, *log);
   print_refused_values(rig, board);
 }
 
@@ -98,8 +103,9 @@ void add_decode(cli::Verb& program) {
   auto options = std::make_shared<Options>();
   verb.positional("RIG.toml", options->rig, "the rig; a bus and its signals are enough").required();
   cli::Verb source = verb.exactly_one("Source");
-  source.option("--log", options->log, "candump -l log, or Modbus/TCP as pcap or pcapng");
+  source.option("--log", options->log.log, kLogHelp);
   source.option("--session", options->session, "what rigsoundd --session wrote: what the engine was told");
+  add_log_options(verb, options->log);
   verb.callback([options] { options->session.empty() ? decode_log(*options) : decode_session(*options); });
   verb.details(
       "Prints CSV time_s,signal,value: one row for the first valid value of a signal and one at each change. "

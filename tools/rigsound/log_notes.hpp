@@ -1,4 +1,4 @@
-// What verbs that read a bus log say about it.
+// What a log said of itself when it was read, for people.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace rigsound::tools {
 
-/// What there is to know of a log read to its end, to stderr.
+/// One line a note on stderr: `FILE: text` or `FILE:LINE: text`.
 void print_log_notes(const std::string& file, const log::BusLog& log);
 
 }  // namespace rigsound::tools

@@ -35,8 +35,13 @@ std::vector<std::unique_ptr<BusRecorder>> start(const config::Rig& rig, const st
     if (!rig.can.empty()) capture.replace_extension(".pcap");
     recorders.push_back(record_modbus(rig, capture));
   }
+  if (!rig.udp.empty()) {
+    std::filesystem::path capture = out;
+    if (!rig.can.empty() || !rig.modbus.empty()) capture.replace_extension(".udp.pcap");
+    recorders.push_back(record_udp(rig, capture));
+  }
   if (recorders.empty())
-    throw InputError(rig.file.string(), "has no bus, expected a [[can]] or a [[modbus]]");
+    throw InputError(rig.file.string(), "has no bus, expected a [[can]], a [[modbus]] or a [[udp]]");
   return recorders;
 }
 
@@ -67,9 +72,10 @@ void add_record(cli::Verb& program) {
   verb.details(
       "CAN is written as candump -l does, all frames of the rig's interfaces; Modbus as a pcap of what was "
       "agreed "
-      "between client and server, each link playing the part the rig gives it. A rig with both writes the "
-      "Modbus "
-      "part beside OUT, as OUT with the ending .pcap. A bus that cannot be opened at the start ends it with "
+      "between client and server, each link playing the part the rig gives it. UDP as a pcap of its "
+      "datagrams. A rig with CAN too writes the Modbus part beside OUT, as OUT with the ending .pcap; one "
+      "with other "
+      "buses its UDP part with the ending .udp.pcap. A bus that cannot be opened at the start ends it with "
       "3; "
       "one that is lost later is waited for.");
   verb.example("rigsound record config/rigs/demo.toml --out shift.log");

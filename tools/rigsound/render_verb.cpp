@@ -3,6 +3,7 @@
 #include <chrono>
 #include <optional>
 
+#include "log_arguments.hpp"
 #include "log_notes.hpp"
 #include "refused_values.hpp"
 #include "rigsound/audio/excerpt.hpp"
@@ -22,7 +23,8 @@ namespace rigsound::tools {
 namespace {
 
 struct Options {
-  std::string rig, log, session, states, out;
+  std::string rig, session, states, out;
+  LogArguments log;
   std::optional<std::uint64_t> seed;
   double from_s = 0, to_s = HUGE_VAL;
   bool no_hash = false;
@@ -34,7 +36,7 @@ void render(config::Rig& rig, audio::StateSource& states, audio::SampleFormat sa
   SoundSet sounds = config::load_sounds(rig);
   const bool built_in_diesel = sounds.diesels.front().name == kDefaultDiesel;
   Engine engine = config::build_engine(rig, std::move(sounds));
-  require_not_read(options.out, {rig.file, rig.sound_set, options.log, options.session, options.states});
+  require_not_read(options.out, {rig.file, rig.sound_set, options.log.log, options.session, options.states});
   const audio::BlockRange part = audio::blocks_of(options.from_s, options.to_s, rig.engine);
   Sha256 digest;
   audio::WavSink::Tap hash;
@@ -74,10 +76,11 @@ void render_states(const Options& options) {
 
 void render_log(const Options& options) {
   config::Rig rig = rig_of(options, config::Buses::kRead);
-  const std::unique_ptr<log::BusLog> log = log::open_log(options.log, rig.can, rig.modbus);
+  const std::unique_ptr<log::BusLog> log =
+      log::open_log(options.log.log, config::buses_of(rig), log_options(options.log));
   session::LogStates states(*log, rig.safety, rig.engine);
   render(rig, states, audio::SampleFormat::kFloat, options);
-  print_log_notes(options.log, *log);
+  print_log_notes(options.log.log, *log);
   print_refused_values(rig, states.board());
 }
 
@@ -108,18 +111,19 @@ void add_render(cli::Verb& program) {
   auto options = std::make_shared<Options>();
   verb.positional("RIG.toml", options->rig, "the rig").required();
   cli::Verb source = verb.exactly_one("Source");
-  source.option("--log", options->log, "candump -l log, or Modbus/TCP as pcap or pcapng");
+  source.option("--log", options->log.log, kLogHelp);
   source.option("--session", options->session, "what rigsoundd --session wrote: the very samples it played");
   source.option("--states", options->states, "CSV as decode prints it: the state itself, no safety rule");
   verb.option("--out", options->out, "WAV file to write: 32 bit float, or the format of the session's card")
       .required();
+  add_log_options(verb, options->log);
   verb.option("--seed", options->seed, "instead of the rig's seed; a session has its own");
   verb.option("--from", options->from_s, "s; OUT begins with the block that holds it").at_least(0);
   verb.option("--to", options->to_s, "s; OUT ends with the block before it; left out: the end").at_least(0);
   verb.flag("--no-hash", options->no_hash, "print no sha256");
   verb.callback([options] {
     if (options->to_s <= options->from_s) throw cli::UsageError("--to", "expected more than --from");
-    if (!options->log.empty())
+    if (!options->log.log.empty())
       render_log(*options);
     else
       options->session.empty() ? render_states(*options) : render_session(*options);

@@ -1,21 +1,29 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
 
+#include "log_arguments.hpp"
 #include "rigsound/can/can_sender.hpp"
-#include "rigsound/log/candump.hpp"
+#include "rigsound/log/can_reader.hpp"
+#include "rigsound/log/log_clock.hpp"
 #include "rigsound/log/modbus_capture.hpp"
 #include "rigsound/log/replay_clock.hpp"
+#include "rigsound/log/udp_capture.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "rigsound/modbus/modbus_writer.hpp"
+#include "rigsound/udp/udp_sender.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
 namespace {
 
 struct Options {
-  std::string log, can, modbus;
+  LogArguments log;
+  std::string modbus, udp;
   double speed = 1;
   bool json = false;
 };
@@ -39,45 +47,136 @@ void report(const Options& o, const log::ReplayClock& clock, const Skips& skips)
                             : fmt::print("{} {}\n", key, value.get<std::uint64_t>());
 }
 
+/// Where the frames of which interface of the log go.
+class CanTargets {
+ public:
+  /// `words`: one IFACE for all, or LOG=IFACE for each.
+  explicit CanTargets(const std::vector<std::string>& words) {
+    if (words.size() == 1 && words.front().find('=') == std::string::npos) {
+      all_ = &sender(words.front());
+      return;
+    }
+    for (const std::string& word : words) {
+      const auto [from, to] = interface_pair(word);
+      by_interface_[from] = &sender(to);
+    }
+  }
+
+  /// Nullptr when nobody wants the interface's frames.
+  can::CanSender* of(const std::string& interface) {
+    if (all_ != nullptr) return all_;
+    const auto found = by_interface_.find(interface);
+    return found == by_interface_.end() ? nullptr : found->second;
+  }
+
+  std::uint64_t waits() const {
+    std::uint64_t sum = 0;
+    for (const auto& [name, sender] : senders_) sum += sender.waits();
+    return sum;
+  }
+
+ private:
+  can::CanSender& sender(const std::string& name) { return senders_.try_emplace(name, name).first->second; }
+
+  std::map<std::string, can::CanSender> senders_;
+  std::map<std::string, can::CanSender*> by_interface_;
+  can::CanSender* all_ = nullptr;
+};
+
+void print_notes(const Options& o, const log::LogClock& times) {
+  for (const log::LogNote& note : times.notes()) fmt::print(stderr, "{}: {}\n", o.log.log, note.text);
+}
+
+void require_sent(const log::LogFile& file, const log::ReplayClock& clock,
+                  const std::set<std::string>& seen) {
+  if (clock.entries() > 0) return;
+  std::string names;
+  for (const std::string& name : seen) names += (names.empty() ? "" : ", ") + name;
+  throw InputError(file.name(), seen.empty() ? "holds nothing to send, expected a bus log"
+                                             : "has frames of " + names + " only, expected those of --can");
+}
+
 void replay_can(const Options& o) {
-  if (log::is_capture(o.log))
-    throw InputError(o.log, "is a capture of Modbus/TCP, expected a CAN log for --can");
-  log::CandumpReader reader(o.log);
-  can::CanSender bus(o.can);
+  const log::LogFile file(o.log.log);
+  const auto reader = log::open_can_reader(file);
+  CanTargets targets(o.log.can);
+  log::LogClock times(o.log.longest_gap_s());
   log::ReplayClock clock(o.speed);
-  log::CanRecord record;
+  log::CanRecord record, ahead;
   Skips skips;
-  while (reader.next(record)) {
-    if (record.frame.error) {  // made by a controller, not by a sender
+  std::set<std::string> seen;
+  for (bool more = reader->next(ahead); more;) {
+    record = ahead;
+    more = reader->next(ahead);
+    const auto next_ns = more ? std::optional<std::int64_t>(ahead.time_ns) : std::nullopt;
+    const std::int64_t due_ns = times.place(record.time_ns, next_ns, 0);
+    seen.insert(record.interface);
+    can::CanSender* const bus = targets.of(record.interface);
+    if (record.frame.error || bus == nullptr) {  // an error frame is made by a controller, not by a sender
       ++skips.unwritable;
       continue;
     }
-    clock.wait_for(record.time_ns);
-    if (!bus.send(record.frame)) ++skips.refused;
+    clock.wait_for(due_ns);
+    if (!bus->send(record.frame)) ++skips.refused;
     clock.sent();
   }
-  skips.waits = bus.waits();
+  require_sent(file, clock, seen);
+  skips.waits = targets.waits();
   report(o, clock, skips);
+  print_notes(o, times);
 }
 
 void replay_modbus(const Options& o) {
-  if (!log::is_capture(o.log)) throw InputError(o.log, "is no pcap or pcapng, expected one for --modbus");
-  log::ModbusCapture capture(o.log);
+  const log::LogFile file(o.log.log);
+  log::ModbusCapture capture(file);
   modbus::ModbusWriter device(o.modbus);
+  log::LogClock times(o.log.longest_gap_s());
   log::ReplayClock clock(o.speed);
-  log::TimedExchange entry;
+  log::TimedExchange entry, ahead;
   Skips skips;
-  while (capture.next(entry)) {
+  for (bool more = capture.next(ahead); more;) {
+    entry = ahead;
+    more = capture.next(ahead);
+    const auto next_ns = more ? std::optional<std::int64_t>(ahead.time_ns) : std::nullopt;
+    const std::int64_t due_ns = times.place(entry.time_ns, next_ns, 0);
     const modbus::Table table = entry.exchange.table;
     if (table != modbus::Table::kHolding && table != modbus::Table::kCoil) {
       ++skips.unwritable;
       continue;
     }
-    clock.wait_for(entry.time_ns);
+    clock.wait_for(due_ns);
     if (!device.write(entry.exchange)) ++skips.refused;
     clock.sent();
   }
+  require_sent(file, clock, {});
   report(o, clock, skips);
+  print_notes(o, times);
+}
+
+void replay_udp(const Options& o) {
+  const log::LogFile file(o.log.log);
+  log::UdpCapture capture(file, {});
+  const udp::UdpSender device(o.udp);
+  log::LogClock times(o.log.longest_gap_s());
+  log::ReplayClock clock(o.speed);
+  log::TimedDatagram entry, ahead;
+  Skips skips;
+  for (bool more = capture.next(ahead); more;) {
+    entry = ahead;
+    more = capture.next(ahead);
+    const auto next_ns = more ? std::optional<std::int64_t>(ahead.time_ns) : std::nullopt;
+    clock.wait_for(times.place(entry.time_ns, next_ns, 0));
+    if (!device.send(entry.text)) ++skips.refused;
+    clock.sent();
+  }
+  require_sent(file, clock, {});
+  report(o, clock, skips);
+  print_notes(o, times);
+}
+
+void replay(const Options& o) {
+  if (!o.udp.empty()) return replay_udp(o);
+  o.log.can.empty() ? replay_modbus(o) : replay_can(o);
 }
 
 }  // namespace
@@ -85,13 +184,19 @@ void replay_modbus(const Options& o) {
 void add_replay(cli::Verb& program) {
   cli::Verb verb = program.verb("replay", "Play a bus log onto a bus, at its own pace").group(kRun);
   auto options = std::make_shared<Options>();
-  verb.positional("BUS.log", options->log, "candump -l log, or Modbus/TCP as pcap or pcapng").required();
+  verb.positional("BUS.log", options->log.log, kLogHelp).required();
   cli::Verb target = verb.exactly_one("Target");
-  target.option("--can", options->can, "interface to send the frames on; the log's names do not count");
+  target
+      .option(
+          "--can", options->log.can,
+          "interface to send the frames on, whatever the log calls it; or LOG=IFACE, once for each interface")
+      .repeatable();
   target.option("--modbus", options->modbus, "HOST:PORT of a server to write the values to");
+  target.option("--udp", options->udp, "HOST:PORT to send the datagrams to");
+  add_gap_option(verb, options->log);
   verb.option("--speed", options->speed, "2: twice as fast").range(0.001, 1000).shows_default();
   verb.flag("--json", options->json, "figures as one JSON object");
-  verb.callback([options] { options->can.empty() ? replay_modbus(*options) : replay_can(*options); });
+  verb.callback([options] { replay(*options); });
   verb.details(
       "Prints how many entries were sent and how late (mean, worst; deadlines are absolute, lateness does "
       "not add "

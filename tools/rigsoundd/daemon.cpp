@@ -5,16 +5,21 @@
 #include <sys/signalfd.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <exception>
+#include <map>
+#include <utility>
 
 #include "control_socket.hpp"
 #include "log.hpp"
 #include "rigsound/can/can_bus.hpp"
+#include "rigsound/config/bus_text.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/modbus/modbus_bus.hpp"
 #include "rigsound/monotonic_time.hpp"
 #include "rigsound/socket/tcp_listener.hpp"
+#include "rigsound/udp/udp_bus.hpp"
 
 namespace rigsound::daemon {
 namespace {
@@ -34,6 +39,12 @@ std::unique_ptr<audio::Sink> make_sink(const audio::AudioOptions& options, audio
 
 void sleep_s(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
+/// A bus of the rig, told as `text`.
+struct FeedPlan {
+  std::string text;
+  Feed::MakeBus make;
+};
+
 }  // namespace
 
 Daemon::Daemon(const DaemonOptions& options)
@@ -45,7 +56,7 @@ Daemon::Daemon(const DaemonOptions& options)
       recorder_(options.session, audio_.records(), audio_.figures()),
       start_s_(monotonic_s()) {
   open_sockets();
-  start_feeds();
+  start_feeds({});
   recorder_.expect_run(session_header());
   audio_.start();
   log_info("audio thread: " + audio_.scheduling());
@@ -77,13 +88,27 @@ void Daemon::open_sockets() {
                            }});
 }
 
-void Daemon::start_feeds() {
-  const auto start = [this](const auto& bus) {
-    feeds_.push_back(
-        std::make_unique<Feed>([&](BusListener& listener) { return make_bus(bus, listener); }, exchange_));
+void Daemon::start_feeds(std::vector<std::unique_ptr<Feed>> kept) {
+  std::vector<FeedPlan> plans;
+  const auto plan = [&](const auto& bus) {
+    plans.push_back(
+        {config::bus_text(bus), [bus](BusListener& listener) { return make_bus(bus, listener); }});
   };
-  for (const can::CanOptions& bus : loaded_.rig.can) start(bus);
-  for (const modbus::ModbusOptions& bus : loaded_.rig.modbus) start(bus);
+  for (const can::CanOptions& bus : loaded_.rig.can) plan(bus);
+  for (const modbus::Line& line : modbus::lines(loaded_.rig.modbus)) plan(line);
+  for (const udp::UdpOptions& input : loaded_.rig.udp) plan(input);
+
+  std::map<std::string, std::unique_ptr<Feed>> same;
+  for (std::unique_ptr<Feed>& feed : kept)
+    if (std::any_of(plans.begin(), plans.end(),
+                    [&](const FeedPlan& p) { return p.text == feed->bus_text(); }))
+      same[feed->bus_text()] = std::move(feed);
+  kept.clear();  // before others take their ports
+  for (FeedPlan& p : plans) {
+    std::unique_ptr<Feed>& old = same[p.text];
+    feeds_.push_back(old != nullptr ? std::move(old)
+                                    : std::make_unique<Feed>(p.make, exchange_, std::move(p.text)));
+  }
 }
 
 void Daemon::run(int signals) {
@@ -166,10 +191,9 @@ ReloadResult Daemon::reload() {
   service_.reloading();
   try {
     LoadedRig next = load_for_reload(loaded_.rig, buses_, result.not_applied);
-    feeds_.clear();
     exchange_.set_safety(next.rig.safety);
     new_run(std::move(next));
-    start_feeds();
+    start_feeds(std::exchange(feeds_, {}));
     ++reloads_;
     log_info("reloaded " + loaded_.rig.file.string());
     for (const std::string& key : result.not_applied) log_warning("reload: needs a restart: " + key);

@@ -54,7 +54,8 @@ class Daemon : private DaemonControl {
   void release(SignalId id) override;
 
   void open_sockets();
-  void start_feeds();
+  /// Feeds for the buses of loaded_; those of `kept` that are told the same go on as they are.
+  void start_feeds(std::vector<std::unique_ptr<Feed>> kept);
   void poll();
   void poll_session(double now_s);
   void report_card();

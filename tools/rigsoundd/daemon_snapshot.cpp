@@ -7,15 +7,6 @@
 namespace rigsound::daemon {
 namespace {
 
-/// Two links to one address have one name; figures go by names.
-void name_apart(std::vector<BusSnapshot>& buses) {
-  for (std::size_t i = 0; i < buses.size(); ++i) {
-    int same = 1;
-    for (std::size_t j = i + 1; j < buses.size(); ++j)
-      if (buses[j].name == buses[i].name) buses[j].name += " #" + std::to_string(++same);
-  }
-}
-
 LevelSnapshot level(const LevelSum& sum, std::uint64_t blocks) {
   return {static_cast<double>(sum.peak), sum.rms(blocks)};
 }
@@ -55,7 +46,6 @@ Snapshot Daemon::snapshot_with(const LevelWindow& levels) const {
   s.session = {recorder_.options().file.string(), recorder_.problem(), recorder_.recording(),
                recorder_.bytes()};
   for (const auto& feed : feeds_) s.buses.push_back(feed->snapshot());
-  name_apart(s.buses);
   const EngineView& view = audio_.report().view;
   s.paused = view.stands_still;
   for (int b = 0; b < static_cast<int>(loaded_.rig.engine.booms.size()); ++b) {
@@ -106,9 +96,8 @@ std::vector<SignalSnapshot> Daemon::signal_snapshots(const MachineState& heard) 
   for_each_signal(static_cast<int>(loaded_.rig.engine.booms.size()), [&](SignalId id) {
     const SignalInfo& signal = info(id.signal);
     const Validity validity = board.validity(id, safety.rule[static_cast<std::size_t>(id.signal)], now_s);
-    const bool seen = board.entry(id).validity != Validity::kNeverSeen;
-    const double age_s = seen ? now_s - board.entry(id).seen_s : -1;
     const SignalBoard::Entry& entry = board.entry(id);
+    const double age_s = entry.ever_good() ? now_s - entry.seen_s : -1;
     SignalSnapshot s;
     s.name = config::signal_label(loaded_.rig, id);
     s.unit = signal.unit;

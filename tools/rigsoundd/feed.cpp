@@ -1,9 +1,22 @@
 #include "feed.hpp"
 
+#include "rigsound/monotonic_time.hpp"
+
 namespace rigsound::daemon {
 
-Feed::Feed(const MakeBus& make, StateExchange& exchange)
-    : exchange_(exchange), bus_(make(*this)), status_(bus_->name()), thread_([this] { bus_->run(stop_); }) {}
+Feed::Feed(const MakeBus& make, StateExchange& exchange, std::string bus_text)
+    : exchange_(exchange),
+      bus_text_(std::move(bus_text)),
+      bus_(make(*this)),
+      status_(bus_->name()),
+      thread_([this] { run(); }) {}
+
+void Feed::run() {
+  while (!stop_) {
+    bus_->step();
+    status_.poll(monotonic_ms());
+  }
+}
 
 Feed::~Feed() {
   stop_ = true;

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <string>
 #include <thread>
 
 #include "bus_status.hpp"
@@ -18,20 +19,24 @@ class Feed : private BusListener {
  public:
   using MakeBus = std::function<std::unique_ptr<Bus>(BusListener&)>;
 
-  Feed(const MakeBus& make, StateExchange& exchange);
+  /// `bus_text`: what the bus was told, config::bus_text().
+  Feed(const MakeBus& make, StateExchange& exchange, std::string bus_text = {});
   ~Feed() override;
   Feed(const Feed&) = delete;
   Feed& operator=(const Feed&) = delete;
 
   BusSnapshot snapshot() const;  ///< Thread: CT
+  const std::string& bus_text() const { return bus_text_; }
 
  private:
+  void run();
   void readings(const Reading* first, std::size_t count) override;
   void up() override { status_.up(); }
   void down(const std::string& why) override { status_.down(why); }
   void notice(const std::string& text) override { status_.notice(text); }
 
   StateExchange& exchange_;
+  std::string bus_text_;
   std::unique_ptr<Bus> bus_;
   BusStatus status_;
   std::atomic<bool> stop_{false};

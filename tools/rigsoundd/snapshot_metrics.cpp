@@ -28,6 +28,8 @@ constexpr CounterText kBusCounters[] = {
     {"frames_dropped", "Frames the kernel dropped because they were not fetched in time."},
     {"requests_refused", "Modbus requests answered with an exception."},
     {"rejected_connections", "Modbus connections over the limit or from a network not allowed."},
+    {"frames_rejected", "Datagrams from a network not allowed."},
+    {"frames_late", "Datagrams older than one before."},
     {"losses", "Times the bus or the device went away."}};
 std::string escaped(const std::string& text) {
   std::string out;

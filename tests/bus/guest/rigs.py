@@ -11,9 +11,9 @@ master_gain_db = "CABIN1.MasterGain"
 '''
 
 
-def write_rig(path, project, sounds, *, device='null', block=64, periods=3, form='auto', can=(), modbus=(), fd=False,
+def write_rig(path, project, sounds, *, device='null', block=64, periods=3, form='auto', can=(), modbus=(), udp=(), fd=False,
               safety='', socket='/tmp/control.sock'):
-    """`can`: interfaces; `modbus`: texts of whole [[modbus]] sections."""
+    """`can`: interfaces; `modbus`, `udp`: texts of whole sections."""
     text = f'[audio]\ndevice = "{device}"\nblock = {block}\nperiods = {periods}\nformat = "{form}"\n'
     text += f'[sound]\nset = "{sounds}"\n[safety]\n{safety}\n[control]\nsocket = "{socket}"\n'
     for interface in can:
@@ -21,5 +21,7 @@ def write_rig(path, project, sounds, *, device='null', block=64, periods=3, form
         text += '[can.signals]' + CAN_SIGNALS
     for section in modbus:
         text += '[[modbus]]\n' + section + '\n'
+    for section in udp:
+        text += '[[udp]]\n' + section + '\n'
     pathlib.Path(path).write_text(text)
     return path

@@ -95,20 +95,26 @@ class Sound(unittest.TestCase):
         for file in ('/tmp/gaps_128_float.raw', session):
             shutil.move(file, PLACE.work)
 
-    def test_a_frame_is_heard_within_a_block_and_the_buffer(self):
+    def check_latency(self, kind, where, **buses):
         block, periods = 64, 3
         rig = write_rig('/tmp/rig.toml', PLACE.project, PLACE.sounds, device=PLAYBACK, block=block, periods=periods,
-                        form='float', can=['vcan0'], safety='stale_after_ms = 0')
+                        form='float', safety='stale_after_ms = 0', **buses)
         with PeriodClock(PLACE.period_clock, block), Daemon(PLACE.rigsoundd, rig) as daemon:
             daemon.wait_playing()
-            words = [PLACE.frame_to_sound, CAPTURE, 'vcan0', str(block), '10']
+            words = [PLACE.frame_to_sound, CAPTURE, where, str(block), '10']
             told = subprocess.run(words, check=True, capture_output=True, text=True).stdout
         latencies = [float(line.split()[1]) for line in told.splitlines()]
         limit = 1e3 * block * (1 + periods) / 48000
-        print(f'FIGURE frame to sound: mean {statistics.mean(latencies):.2f} ms, worst {max(latencies):.2f} ms, '
+        print(f'FIGURE {kind} to sound: mean {statistics.mean(latencies):.2f} ms, worst {max(latencies):.2f} ms, '
               f'one block and the buffer are {limit:.2f} ms', flush=True)
         self.assertEqual(len(latencies), 10)
         self.assertLessEqual(max(latencies), limit)
+
+    def test_a_frame_is_heard_within_a_block_and_the_buffer(self):
+        self.check_latency('frame', 'vcan0', can=['vcan0'])
+
+    def test_a_datagram_is_heard_within_a_block_and_the_buffer(self):
+        self.check_latency('datagram', '127.0.0.1:1503', udp=['address = "127.0.0.1:1503"'])
 
     def test_the_listener_may_stop_and_come_back(self):
         rig = write_rig('/tmp/rig.toml', PLACE.project, PLACE.sounds, device=PLAYBACK, block=256, form='float',

@@ -8,7 +8,7 @@ import unittest
 from place import PLACE
 from read_ahead import read_ahead
 
-MODULES = ['sound_tests', 'can_tests', 'modbus_tests', 'log_tests', 'life_tests']
+MODULES = ['sound_tests', 'can_tests', 'modbus_tests', 'field_tests', 'log_tests', 'life_tests']
 
 if __name__ == '__main__':
     read_ahead(PLACE.programs(), [PLACE.sounds, f'{PLACE.project}/config'])

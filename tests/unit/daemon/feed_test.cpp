@@ -30,7 +30,7 @@ class ScriptedBus : public Bus {
       case 2:
         return listener_.readings(&lost, 1);
       case 3:
-        return listener_.down("the cable is out");
+        return listener_.down("drum 1: the cable is out");  // as drivers say it
       case 4:
         return played_.set_value();
       default:

@@ -2,92 +2,90 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
+#include <cmath>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "rigsound/device_error.hpp"
-#include "rigsound/modbus/modbus_bus.hpp"
+#include "rigsound/modbus/exchange.hpp"
+#include "rigsound/modbus/probe.hpp"
 
 namespace rigsound::tools {
 namespace {
 
-using modbus::Exchange;
 using modbus::RegisterRoute;
 using modbus::WordOrder;
 
-constexpr std::pair<WordOrder, std::string_view> kOrders[] = {{WordOrder::kAbcd, "ABCD"},
-                                                              {WordOrder::kCdab, "CDAB"},
-                                                              {WordOrder::kBadc, "BADC"},
-                                                              {WordOrder::kDcba, "DCBA"}};
+/// What the machine could say: a value in the signal's range that is not nothing.
+bool plausible(const RegisterRoute& route, const std::vector<std::uint16_t>& words) {
+  constexpr double kLeast = 1e-6;  // a float whose words are swapped is often smaller
+  const double value = modbus::decode(route, words.data());
+  return info(route.target.signal).takes(value) && std::fabs(value) > kLeast;
+}
 
-/// Keeps what a device answers.
-class Answers : public BusListener, public modbus::ModbusTap {
- public:
-  void readings(const Reading*, std::size_t count) override { told_ += count; }
-  void traffic(const Exchange* first, std::size_t count) override {
-    exchanges_.insert(exchanges_.end(), first, first + count);
-  }
-  void up() override {}
-  void down(const std::string& why) override { throw DeviceError(why); }
-  // Before the first answer it says why there is none; later, which register the device does not have.
-  void notice(const std::string& text) override {
-    if (exchanges_.empty() && told_ == 0) throw DeviceError(text);
-    fmt::print(stderr, "{}\n", text);
-  }
-
-  /// Values told so far, or said not to be there.
-  std::size_t told() const { return told_; }
-
-  /// The route's first register or bit, or nullptr when the device has none.
-  const std::uint16_t* find(const RegisterRoute& route) const {
-    for (const Exchange& e : exchanges_) {
-      const int offset = route.address - e.address;
-      const bool inside = offset >= 0 && offset + width(route) <= static_cast<int>(e.values.size());
-      if (e.table == route.table && inside) return &e.values[static_cast<std::size_t>(offset)];
-    }
-    return nullptr;
-  }
-
- private:
-  std::vector<Exchange> exchanges_;
-  std::size_t told_ = 0;
-};
-
-void print_orders(RegisterRoute route, const std::uint16_t* words) {
+void print_orders(RegisterRoute route, const std::vector<std::uint16_t>& words) {
   const WordOrder chosen = route.order;
+  const bool chosen_is_plausible = plausible(route, words);
   const std::string_view unit = info(route.target.signal).unit;
-  for (const auto& [order, name] : kOrders) {
+  for (const auto& [name, order] : modbus::kWordOrders) {
     const bool same_as_before = width(route) == 1 && (order == WordOrder::kCdab || order == WordOrder::kDcba);
     if (same_as_before) continue;  // one register has only two bytes to swap
     route.order = order;
-    fmt::print("    {}  {:g} {}{}\n", name, modbus::decode(route, words), unit,
-               order == chosen ? "  <- the rig's" : "");
+    const bool likely = order != chosen && !chosen_is_plausible && plausible(route, words);
+    fmt::print("    {}  {:g} {}{}\n", name, modbus::decode(route, words.data()), unit,
+               order == chosen ? "  <- the rig's"
+               : likely        ? fmt::format("  <- likely: word_order = \"{}\"?", name)
+                               : "");
   }
 }
 
-void print_value(const config::Rig& rig, const RegisterRoute& route, const std::uint16_t* words) {
+void print_value(const config::Rig& rig, const RegisterRoute& route, const modbus::Probed& probed) {
   fmt::print("  {:<20} {}", config::signal_label(rig, route.target),
              modbus::describe(route.table, route.address));
-  if (words == nullptr) return fmt::print("  not there\n");
-  if (holds_bits(route.table)) return fmt::print("  {}\n", words[0] != 0 ? "on" : "off");
-  fmt::print("  {:04X}{}\n", words[0], width(route) == 2 ? fmt::format(" {:04X}", words[1]) : "");
-  print_orders(route, words);
+  if (probed.words.empty()) {
+    const int base = modbus::manual_base(route.table);
+    const bool manual = base > 1 && route.address >= base;
+    return fmt::print(
+        "  cannot be read: {}{}\n", probed.problem,
+        manual ? fmt::format("; addresses count from 0: address = {}?", route.address - base) : "");
+  }
+  if (holds_bits(route.table)) return fmt::print("  {}\n", probed.words[0] != 0 ? "on" : "off");
+  for (const std::uint16_t word : probed.words) fmt::print("  {:04X}", word);
+  fmt::print("\n");
+  if (route.mask == 0 && route.values.empty()) return print_orders(route, probed.words);
+  const double value = modbus::decode(route, probed.words.data());
+  const std::string_view word = value_word(route.target.signal, value);
+  if (std::isnan(value)) return fmt::print("    a raw value that is not among its values\n");
+  fmt::print("    {:g}{}{}\n", value, word.empty() ? "" : " ", word);
+}
+
+/// Returns how many signals cannot be read.
+std::size_t print_link(const config::Rig& rig, const modbus::ModbusOptions& options) {
+  const std::vector<modbus::Probed> found = modbus::probe(options);
+  fmt::print("probe {} unit {}\n", options.address, options.unit);
+  std::size_t missing = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    print_value(rig, options.routes[i], found[i]);
+    missing += found[i].words.empty() ? 1 : 0;
+  }
+  return missing;
 }
 
 }  // namespace
 
 void probe_modbus(const config::Rig& rig) {
-  for (modbus::ModbusOptions options : rig.modbus) {
-    options.role = modbus::Role::kClient;
-    Answers answers;
-    const auto bus = modbus::make_bus(options, answers, &answers);
-    while (answers.told() < options.routes.size()) bus->step();
-    fmt::print("probe {}\n", options.address);
-    for (const RegisterRoute& route : options.routes) print_value(rig, route, answers.find(route));
+  std::size_t missing = 0;
+  std::string unreachable;
+  for (const modbus::ModbusOptions& options : rig.modbus) {
+    try {
+      missing += print_link(rig, options);
+    } catch (const DeviceError& error) {
+      unreachable += (unreachable.empty() ? "modbus " : "; modbus ") + options.address + ": " + error.what();
+    }
   }
+  if (!unreachable.empty()) throw DeviceError(unreachable);
+  if (missing > 0) throw DeviceError(fmt::format("{} signals cannot be read", missing));
 }
 
 }  // namespace rigsound::tools

@@ -90,6 +90,8 @@ void print_contrast_table(const Contrast& c) {
   print_group("rods", c.rods);
   print_group("rock", c.rocks);
   print_feed(c);
+  fmt::print("Loudness: ISO 532-1, {:g} dB SPL at the ear for a sine of full scale.\n",
+             c.options.full_scale_db_spl);
   for (const std::string& verdict : contrast_verdicts(c)) fmt::print("{}\n", verdict);
 }
 

@@ -44,11 +44,10 @@ std::string meter_line(const Json& s) {
 }
 
 std::string bus_line(const Json& bus) {
-  const std::string name = bus["name"], problem = bus["problem"];
-  std::string line = fmt::format("{} {}", name, bus["up"].get<bool>() ? "up" : "DOWN");
-  const std::size_t told =
-      problem.rfind(name + ": ", 0) == 0 ? name.size() + 2 : 0;  // it names the bus already
-  if (!problem.empty()) return line + ": " + problem.substr(told);
+  const std::string problem = bus["problem"];
+  std::string line =
+      fmt::format("{} {}", bus["name"].get<std::string>(), bus["up"].get<bool>() ? "up" : "DOWN");
+  if (!problem.empty()) return line + ": " + problem;
   for (const auto& [key, value] : bus.items()) {
     const bool shown = value.is_number() && (value != 0 || key == "frames_used");
     if (shown) line += fmt::format(", {} {}", value.get<std::uint64_t>(), key.substr(key.find('_') + 1));

@@ -9,7 +9,9 @@
 #include "rigsound/can/can_bus.hpp"
 #include "rigsound/log/candump.hpp"
 #include "rigsound/log/modbus_capture_writer.hpp"
+#include "rigsound/log/udp_capture_writer.hpp"
 #include "rigsound/modbus/modbus_bus.hpp"
+#include "rigsound/udp/udp_bus.hpp"
 
 namespace rigsound::tools {
 namespace {
@@ -23,8 +25,12 @@ void write(log::CandumpWriter& out, const can::CanOptions& bus, const can::Arriv
   out.write({static_cast<std::int64_t>(arrival.realtime_s * 1e9), bus.interface, arrival.frame});
 }
 
-void write(log::ModbusCaptureWriter& out, const modbus::ModbusOptions&, const modbus::Exchange& exchange) {
-  out.write(realtime_ns(), exchange);
+void write(log::ModbusCaptureWriter& out, const modbus::Line& line, const modbus::Exchange& exchange) {
+  out.write(realtime_ns(), {line.front().host, line.front().port}, exchange);
+}
+
+void write(log::UdpCaptureWriter& out, const udp::UdpOptions& input, const udp::Datagram& datagram) {
+  out.write(static_cast<std::int64_t>(datagram.realtime_s * 1e9), input.port, datagram.text);
 }
 
 /// Several buses of one kind, one file. Each bus writes to it from its own thread.
@@ -65,7 +71,7 @@ class FileRecorder : public BusRecorder {
     }
 
    private:
-    const Options& options_;
+    const Options options_;
     FileRecorder& recorder_;
   };
 
@@ -83,8 +89,12 @@ std::unique_ptr<BusRecorder> record_can(const config::Rig& rig, const std::files
 }
 
 std::unique_ptr<BusRecorder> record_modbus(const config::Rig& rig, const std::filesystem::path& file) {
-  return std::make_unique<FileRecorder<modbus::ModbusOptions, modbus::Exchange, log::ModbusCaptureWriter>>(
-      rig.modbus, file);
+  return std::make_unique<FileRecorder<modbus::Line, modbus::Exchange, log::ModbusCaptureWriter>>(
+      modbus::lines(rig.modbus), file);
+}
+
+std::unique_ptr<BusRecorder> record_udp(const config::Rig& rig, const std::filesystem::path& file) {
+  return std::make_unique<FileRecorder<udp::UdpOptions, udp::Datagram, log::UdpCaptureWriter>>(rig.udp, file);
 }
 
 }  // namespace rigsound::tools

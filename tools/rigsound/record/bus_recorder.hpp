@@ -24,4 +24,7 @@ std::unique_ptr<BusRecorder> record_can(const config::Rig& rig, const std::files
 /// while it is recorded. Errors: DeviceError.
 std::unique_ptr<BusRecorder> record_modbus(const config::Rig& rig, const std::filesystem::path& file);
 
+/// All datagrams of all UDP inputs of the rig, as a capture. Errors: DeviceError.
+std::unique_ptr<BusRecorder> record_udp(const config::Rig& rig, const std::filesystem::path& file);
+
 }  // namespace rigsound::tools

@@ -33,8 +33,9 @@ void RecordedBus::up() {
 void RecordedBus::down(const std::string& why) { fmt::print(stderr, "{}: down: {}\n", bus_->name(), why); }
 
 void RecordedBus::notice(const std::string& text) {
-  if (told_.exchange(true)) return fmt::print(stderr, "{}\n", text);
-  first_problem_.set_value(text);
+  const std::string named = bus_->name() + ": " + text;
+  if (told_.exchange(true)) return fmt::print(stderr, "{}\n", named);
+  first_problem_.set_value(named);
 }
 
 }  // namespace rigsound::tools

@@ -11,8 +11,10 @@
 #include "rigsound/can/can_options.hpp"
 #include "rigsound/config/packed_set.hpp"
 #include "rigsound/engine.hpp"
+#include "rigsound/log/bus_log.hpp"
 #include "rigsound/machine/signal_board.hpp"
 #include "rigsound/modbus/modbus_options.hpp"
+#include "rigsound/udp/udp_options.hpp"
 
 namespace rigsound::config {
 
@@ -39,7 +41,10 @@ struct Rig {
   SafetyOptions safety;
   std::vector<can::CanOptions> can;
   std::vector<modbus::ModbusOptions> modbus;
+  std::vector<udp::UdpOptions> udp;
   ControlOptions control;
+  std::vector<std::string>
+      doubts;  ///< what is probably a mistake, `FILE:LINE: KEY: what is odd, what was meant?`
 };
 
 /// Whether a rig's buses, and the files they name, are wanted at all.
@@ -68,6 +73,9 @@ Rig rig_of(const PackedSet& set, const std::filesystem::path& file);
 /// The engine of the rig with the sounds of load_sounds. Errors: InputError naming the sound set when the
 /// engine cannot play it. Thread: OFF.
 Engine build_engine(const Rig& rig, SoundSet sounds);
+
+/// The buses of the rig, for reading a log of them.
+log::Buses buses_of(const Rig& rig);
 
 /// "engine_rpm", "feed_pressure_bar" of the first boom, "NAME.feed_pressure_bar" of another.
 std::string signal_label(const Rig& rig, SignalId id);

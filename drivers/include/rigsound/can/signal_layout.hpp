@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "rigsound/machine/safety.hpp"
+
 namespace rigsound::can {
 
 enum class ByteOrder : std::uint8_t { kIntel, kMotorola };
@@ -25,11 +27,18 @@ struct Selector {
   std::vector<std::pair<std::uint64_t, std::uint64_t>> ranges;  ///< inclusive
 };
 
+/// A raw value that the signal map gives a meaning of its own; it overrules what J1939 sets apart.
+struct RawCode {
+  std::uint64_t raw = 0;
+  Validity meaning = Validity::kValid;  ///< kValid, kErrorValue or kNotAvailable
+};
+
 struct SignalLayout {
   BitField field;
   ValueType type = ValueType::kUnsigned;
   double scale = 1, offset = 0;     ///< value = raw * scale + offset
   std::vector<Selector> selectors;  ///< all must hold; empty: always there
+  std::vector<RawCode> codes;
 };
 
 /// Which frames carry a message.

@@ -22,9 +22,15 @@ struct Decoded {
   double value = 0;
 };
 
-/// kJ1939: raw values that J1939-71 sets apart for errors (top byte 0xFE) and for "not available" (0xFF) are
-/// none.
+/// kJ1939: raw values of unsigned fields that J1939-71 sets apart are none, at every length:
+///   2...7 bits    the last two: error, not available
+///   8...11 bits   the last five: three for no value, error, not available
+///   12 bits on    by the top byte: 0xFB...0xFD no value, 0xFE error, 0xFF not available
+/// A field of one bit has no such value.
 enum class RawValues : std::uint8_t { kAll, kJ1939 };
+
+/// What J1939-71 says of a raw value: kValid, kErrorValue or kNotAvailable. `length`: bits, 1...64.
+Validity j1939_meaning(int length, std::uint64_t raw);
 
 /// Nothing when a selector says that the signal is not in this frame. A signal that does not fit into the
 /// frame is kNotAvailable. Thread: any.

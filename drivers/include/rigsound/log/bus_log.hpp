@@ -5,17 +5,28 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rigsound/can/can_options.hpp"
+#include "rigsound/log/log_note.hpp"
 #include "rigsound/machine/signal_board.hpp"
 #include "rigsound/modbus/modbus_options.hpp"
+#include "rigsound/udp/udp_options.hpp"
 
 namespace rigsound::log {
 
-struct LogNote {
-  std::string text;
-  int line = 0;  ///< of the file; 0: it is about the whole
+/// The buses of a rig that a log may be of.
+struct Buses {
+  std::vector<can::CanOptions> can;
+  std::vector<modbus::ModbusOptions> modbus;
+  std::vector<udp::UdpOptions> udp;
+};
+
+/// How a log is to be taken.
+struct LogOptions {
+  std::optional<double> longest_gap_s;  ///< pauses over it are left out; nothing: all are kept
+  std::vector<std::pair<std::string, std::string>> interfaces;  ///< CAN interface of the log, and of the rig
 };
 
 /// Time 0 is the first entry of the log. Thread: OFF.
@@ -33,12 +44,10 @@ class BusLog {
   virtual std::vector<LogNote> notes() const = 0;
 };
 
-/// `12.3`
-std::string seconds_text(double seconds);
-
-/// Modbus/TCP when the file is a pcap or pcapng, else CAN as candump writes it. Errors: InputError for a file
-/// that cannot be read, or of a kind of bus that the rig does not have.
-std::unique_ptr<BusLog> open_log(const std::filesystem::path& file, const std::vector<can::CanOptions>& can,
-                                 const std::vector<modbus::ModbusOptions>& modbus);
+/// Modbus/TCP, UDP, or CAN as candump, Vector ASC, PEAK TRC or a capture has it; `-` is standard input, gzip
+/// is unpacked. Errors: InputError for a file that cannot be read, of a kind of bus that the rig does not
+/// have, or in which nothing is of use to the rig: then with the nearest thing that it holds.
+std::unique_ptr<BusLog> open_log(const std::filesystem::path& file, const Buses& buses,
+                                 const LogOptions& options);
 
 }  // namespace rigsound::log

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,35 +11,48 @@
 #include "rigsound/can/can_options.hpp"
 #include "rigsound/can/frame_decoder.hpp"
 #include "rigsound/log/bus_log.hpp"
-#include "rigsound/log/candump.hpp"
+#include "rigsound/log/can_reader.hpp"
+#include "rigsound/log/log_clock.hpp"
+
+namespace rigsound::can {
+class SourceWatch;
+}
 
 namespace rigsound::log {
 
-/// A frame older than the one before it counts as simultaneous.
-/// Thread: OFF.
+/// Times are those of a LogClock. Thread: OFF.
 class CanLog : public BusLog {
  public:
-  /// `buses`: at least one. Frames go to the bus of their interface; when there is only one bus and the
-  /// log knows only one interface, their names need not agree. Errors: InputError for a log that cannot
-  /// be read, holds no frame, or none of any of these interfaces.
-  CanLog(const std::filesystem::path& file, const std::vector<can::CanOptions>& buses);
+  /// `buses`: at least one. Frames go to the bus of their interface, by the names of `options` where they are
+  /// given; when there is only one bus and the log knows only one interface, their names need not agree. CAN
+  /// FD frames count on buses with `fd` only. Errors: InputError for a log that cannot be read, holds no
+  /// frame, none of any of these interfaces, or nothing that these buses can use.
+  CanLog(LogFile file, const std::vector<can::CanOptions>& buses, const LogOptions& options);
 
-  /// Errors: InputError with the line for a log that was cut off or jumps ahead by more than an hour.
+  /// Errors: InputError with the line for a log that was cut off.
   std::optional<double> next_s() override;
   bool read_until(double until_s, SignalBoard& board) override;
   std::vector<LogNote> notes() const override;
 
  private:
+  struct Bus {
+    can::CanOptions options;
+    can::FrameDecoder decoder;
+    std::shared_ptr<can::SourceWatch> sources;
+  };
+  void find_buses(const std::vector<can::CanOptions>& buses, const LogOptions& options);
   void fetch();
+  void take_frame(SignalBoard& board, std::vector<Reading>& readings);
 
-  std::string file_;
-  CandumpReader reader_;
-  std::map<std::string, can::FrameDecoder> decoders_;  ///< by interface of the log
-  std::optional<CanRecord> pending_;
-  std::optional<std::int64_t> first_ns_;
-  double time_s_ = 0;  ///< of pending_
-  std::uint64_t used_ = 0;
-  bool ended_ = false;
+  LogFile file_;
+  std::unique_ptr<CanReader> reader_;
+  std::map<std::string, Bus> buses_;  // by interface of the log
+  LogClock clock_;
+  std::optional<CanRecord> pending_, ahead_;
+  int pending_line_ = 0, ahead_line_ = 0;
+  double time_s_ = 0;  // of pending_
+  std::uint64_t used_ = 0, fd_refused_ = 0;
+  bool started_ = false;
 };
 
 }  // namespace rigsound::log

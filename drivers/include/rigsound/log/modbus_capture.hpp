@@ -2,17 +2,27 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
-#include <filesystem>
 #include <memory>
+#include <vector>
 
+#include "rigsound/log/log_file.hpp"
 #include "rigsound/modbus/exchange.hpp"
+#include "rigsound/socket/host_port.hpp"
 
 namespace rigsound::log {
+
+class CaptureFile;
 
 struct TimedExchange {
   std::int64_t time_ns = 0;  ///< when the answer was seen, since the epoch
   modbus::Exchange exchange;
+  HostPort server;  ///< who was asked
+};
+
+/// A port that a rig knows a server at.
+struct ServerPort {
+  int port = 502;
+  bool rtu_frames = false;  ///< RTU over TCP
 };
 
 struct CaptureCounts {
@@ -24,15 +34,13 @@ struct CaptureCounts {
   std::uint64_t other = 0;            ///< packets, or pieces of streams, that are no Modbus/TCP
 };
 
-/// Whether the file begins as a pcap or a pcapng does. Errors: InputError when it cannot be opened.
-bool is_capture(const std::filesystem::path& file);
-
 /// Takes streams apart into requests and answers, and pairs them. Functions 1-6, 15, 16, 22, 23. The server
-/// of a stream is the side that was called (SYN), or has port 502, or the lower port. Thread: OFF.
+/// of a stream is the side that was called (SYN), or whose port the rig knows, or has port 502, or the lower
+/// port. Thread: OFF.
 class ModbusCapture {
  public:
-  /// Errors: InputError when it is no capture, or of a link type that carries no IP.
-  explicit ModbusCapture(const std::filesystem::path& file);
+  /// Errors: InputError when it is no capture.
+  explicit ModbusCapture(const LogFile& file, std::vector<ServerPort> servers = {});
   ~ModbusCapture();
 
   /// The next exchange, or false at the end. Errors: InputError when the file was cut off.
@@ -42,8 +50,7 @@ class ModbusCapture {
 
  private:
   class Streams;
-  struct File;
-  std::unique_ptr<File> file_;
+  std::unique_ptr<CaptureFile> file_;
   std::unique_ptr<Streams> streams_;
 };
 

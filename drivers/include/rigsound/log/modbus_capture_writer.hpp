@@ -3,37 +3,39 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
-#include <vector>
+#include <utility>
 
 #include "rigsound/modbus/exchange.hpp"
+#include "rigsound/socket/host_port.hpp"
 
 namespace rigsound::log {
 
-/// Request and answer of each exchange as two TCP packets between 127.0.0.1:49152 and 127.0.0.1:502: what was
-/// said, not how it travelled (a serial line looks the same). Raw IP, nanoseconds. Exchanges hold at most
-/// what one request can. Thread: one at a time. Errors: DeviceError.
+class CaptureDump;
+
+/// Request and answer of each exchange as two TCP packets between 127.0.0.1:49152 and the server: what was
+/// said, not how it travelled. A serial line, and a server named by a word or by IPv6, is 127.0.0.1 there.
+/// Raw IP, nanoseconds. Exchanges hold at most what one request can. Thread: one at a time. Errors:
+/// DeviceError.
 class ModbusCaptureWriter {
  public:
   explicit ModbusCaptureWriter(const std::filesystem::path& file);
   ~ModbusCaptureWriter();
 
-  void write(std::int64_t time_ns, const modbus::Exchange& exchange);
+  /// `server`: who was asked; port 0 of a serial line.
+  void write(std::int64_t time_ns, const HostPort& server, const modbus::Exchange& exchange);
   void flush();
 
  private:
-  /// One direction of the connection.
-  struct Side {
-    int port = 0;
-    std::uint32_t sequence = 1;
+  /// Sequence numbers of a connection.
+  struct Connection {
+    std::uint32_t to_server = 1, to_client = 1;
   };
-  void packet(std::int64_t time_ns, Side& from, const Side& to, const std::vector<std::uint8_t>& pdu,
-              int unit);
 
-  struct File;
-  std::unique_ptr<File> file_;
+  std::unique_ptr<CaptureDump> file_;
   std::uint16_t transaction_ = 0;
-  Side client_, server_;
+  std::map<std::pair<std::uint32_t, int>, Connection> connections_;  // by address and port
 };
 
 }  // namespace rigsound::log

@@ -1,35 +1,47 @@
 // Recorded Modbus/TCP.
 #pragma once
 
-#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "rigsound/log/bus_log.hpp"
+#include "rigsound/log/log_clock.hpp"
 #include "rigsound/log/modbus_capture.hpp"
 
 namespace rigsound::log {
 
-/// Every Modbus bus of the rig gets every exchange of the capture, of its unit when it names one: a rig is
-/// not asked which hosts the recording was made on. Thread: OFF.
+/// A Modbus bus of the rig gets the exchanges with its own server: of its address and port for a client, of
+/// its port for a server. When the capture knows one server only, and no bus of the rig is it, all get those
+/// exchanges: a recording may be of another place. Of its unit when it names one. Thread: OFF.
 class ModbusLog : public BusLog {
  public:
-  /// Errors: InputError for a file that is no capture or holds no exchange.
-  ModbusLog(const std::filesystem::path& file, const std::vector<modbus::ModbusOptions>& buses);
+  /// Errors: InputError for a file that is no capture or holds no exchange, none with a server of the rig, or
+  /// none that these buses can use.
+  ModbusLog(LogFile file, const std::vector<modbus::ModbusOptions>& buses, const LogOptions& options);
 
   std::optional<double> next_s() override;
   bool read_until(double until_s, SignalBoard& board) override;
   std::vector<LogNote> notes() const override;
 
  private:
+  void survey();
+  void choose_servers(const std::vector<std::string>& servers);
+  void read_for(std::size_t bus, const TimedExchange& entry, double time_s, std::vector<Reading>& out) const;
   void fetch();
 
-  ModbusCapture capture_;
+  LogFile file_;
   std::vector<modbus::ModbusOptions> buses_;
-  std::optional<TimedExchange> pending_;
-  std::int64_t first_ns_ = 0;
-  double time_s_ = 0;  ///< of pending_
+  std::vector<std::optional<std::string>> server_;  // of each bus, as text_of(); nothing: any
+  std::unique_ptr<ModbusCapture> capture_;
+  LogClock clock_;
+  std::optional<TimedExchange> pending_, ahead_;
+  double time_s_ = 0;  // of pending_
   std::uint64_t used_ = 0;
+  std::vector<LogNote> notes_;  // of the survey
+  bool started_ = false;
 };
 
 }  // namespace rigsound::log

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 
 #include "analysis/noise.hpp"
@@ -23,6 +24,14 @@ std::vector<float> tone(double hz, double db_spl, double seconds = 5) {
 }
 
 double sone(const std::vector<float>& x) { return loudness_sone(loudness_bands(x, kFullScale_db)); }
+
+/// Octave levels from 63 Hz on, each shared by its three thirds; nothing below 50 Hz and above 10 kHz.
+LoudnessBands from_octaves(const std::array<double, 8>& octaves, double gain_db) {
+  LoudnessBands levels;
+  levels.fill(-60);
+  for (std::size_t i = 0; i < 24; ++i) levels[3 + i] = octaves[i / 3] + gain_db - 10 * std::log10(3);
+  return levels;
+}
 
 }  // namespace
 
@@ -47,7 +56,7 @@ TEST_CASE("a sone is a tone of 40 dB at 1 kHz; ten decibels more are twice as lo
   CHECK(loudness_level_phon(0.9999) == doctest::Approx(40).epsilon(0.001));
 }
 
-TEST_CASE("levels of other programs that follow the standard, every range of level and slope") {
+TEST_CASE("levels that other programs after the standard were given, and what they made of them") {
   const LoudnessBands a{56.88, 77.29, 68.18, 26.89, 32.51, 75.52, 10.39, 71.59, 69.78, 45.10,
                         32.73, 30.88, 29.12, 43.38, 47.84, 51.51, 84.66, 69.45, 56.66, 84.17,
                         26.15, 22.02, 55.94, 13.30, 12.68, 48.62, 44.97, 78.79};
@@ -57,9 +66,19 @@ TEST_CASE("levels of other programs that follow the standard, every range of lev
   const LoudnessBands c{71.23, 38.46, 83.41, 54.25, 55.38, 57.85, 60.73, 21.31, 43.02, 27.97,
                         40.19, 17.25, 82.59, 26.13, 60.38, 32.53, 75.56, 59.67, 19.87, 73.38,
                         80.87, 77.79, 52.73, 20.91, 24.43, 79.59, 51.42, 23.54};
+  const LoudnessBands d{76.30, 58.12, 52.73, 38.22, 40.82, 27.96, 12.85, 75.72, 45.08, 51.07,
+                        34.16, 66.35, 11.89, 37.91, 12.28, 19.22, 82.54, 59.33, 42.12, 49.28,
+                        75.46, 35.82, 54.27, 61.28, 36.66, 48.93, 67.39, 78.19};
   CHECK(loudness_sone(a) == doctest::Approx(53.64).epsilon(0.003));
   CHECK(loudness_sone(b) == doctest::Approx(42.0).epsilon(0.003));
   CHECK(loudness_sone(c) == doctest::Approx(67.0).epsilon(0.003));
+  CHECK(loudness_sone(d) == doctest::Approx(46.27).epsilon(0.003));
+  const std::array<double, 8> road{98.35, 91.1, 89.4, 90.7, 95.6, 92.4, 84.6, 76.2};
+  CHECK(loudness_sone(from_octaves(road, -60)) == doctest::Approx(2.48).epsilon(0.003));
+  CHECK(loudness_sone(from_octaves(road, -40)) == doctest::Approx(12.075).epsilon(0.003));
+  CHECK(loudness_sone(from_octaves(road, -20)) == doctest::Approx(43.34).epsilon(0.003));
+  CHECK(loudness_sone(from_octaves({75, 78, 76, 72, 66, 58, 45, 30}, -5)) ==
+        doctest::Approx(21.39).epsilon(0.003));
 }
 
 TEST_CASE("bands hold the power of the sound, silence is silent") {

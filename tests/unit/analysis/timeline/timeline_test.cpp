@@ -7,10 +7,10 @@
 #include "png_file.hpp"
 #include "rigsound/analysis/timeline.hpp"
 #include "rigsound/analysis/wave_file.hpp"
+#include "rigsound/session/state_table.hpp"
 #include "temporary_folder.hpp"
 #include "timeline/activity.hpp"
 #include "timeline/level_picture.hpp"
-#include "rigsound/session/state_table.hpp"
 
 using namespace rigsound;
 using namespace rigsound::analysis;
@@ -139,9 +139,9 @@ TEST_CASE("rows of what follows from the signals, of controls and of manual mark
       std::string(kStates) +
       "99,situation,overfeed\n99,left.feed_deviation,1.05\n99,decay_factor,2\n99,output_gain,0.5\n"
       "99,manual,engine_rpm left.rattling\n99,percussion,absent\n");
-  const StateTable states = read_states(with.states);
-  CHECK(states.booms == read_states(plain.states).booms);
-  CHECK(states.changes.size() == read_states(plain.states).changes.size() + 1);
+  const session::StateTable states = session::read_states(with.states);
+  CHECK(states.booms == session::read_states(plain.states).booms);
+  CHECK(states.changes.size() == session::read_states(plain.states).changes.size() + 1);
   CHECK(states.changes.back().value == info(Signal::kPercussion).absent);
 }
 

@@ -194,7 +194,11 @@ BO_ 1 A: 8 X
 }
 
 TEST_CASE("what is wrong is said with line, section and what was expected") {
-  const auto said = [](const char* text) { return complaint([&] { config::parse_dbc(text, "t.dbc"); }); };
+  const auto said = [](const char* text) {
+    const config::Dbc dbc = config::parse_dbc(text, "t.dbc");
+    if (!dbc.unread.empty()) return dbc.unread.front();
+    return dbc.messages.empty() ? std::string() : dbc.messages.front().broken;
+  };
   CHECK(said("BO_ x A: 8 X") == "t.dbc:1: BO_: found 'x', expected a message identifier");
   CHECK(said("\nBO_ 1 A: 8 X\n SG_ S : 0|0@1+ (1,0) [0|0] \"\" X") ==
         "t.dbc:3: SG_: found '0', expected a length in bits from 1 to 14280");
@@ -205,9 +209,56 @@ TEST_CASE("what is wrong is said with line, section and what was expected") {
         std::string::npos);
   CHECK(said("BO_ 1 A: 8 X\n SG_ S m3 : 0|8@1+ (1,0) [0|0] \"\" X").find("has no multiplexor") !=
         std::string::npos);
-  CHECK(said("\nCM_ \"never closed") == "t.dbc:2: this string has no closing quote");
   CHECK(said("BO_ 1 A: 8 X\n SG_ S m1M : 0|8@1+ (1,0) [0|0] \"\" X\nSG_MUL_VAL_ 1 S S 1-1;")
             .find("depends on itself") != std::string::npos);
+}
+
+TEST_CASE("a line that cannot be read costs its message and nothing else") {
+  const std::string good = "BO_ 256 M: 8 A\n SG_ S : 0|16@1+ (1,0) [0|4000] \"rpm\" A\n";
+  for (const char* broken : {"BO_ 255 Q: 8 A\n SG_ X m : 0|16@1+ (1,0) [0|4000] \"\" A\n",  // opendbc vw_pq
+                             "CM_ \"front\"\n",                                             // no semicolon
+                             "CM_ SG_ 1 X \"never closed;\n", "VAL_ 77 X 0 ;\n", "BO_ 0x55 Q: 8 A\n",
+                             "BA_DEF_ BO_ GenMsgCycleTime INT 0 1;\n"}) {
+    INFO(broken);
+    for (const std::string& text : {broken + good, good + broken, good + broken + "BO_ 257 N: 8 A\n"}) {
+      const config::Dbc dbc = config::parse_dbc(text, "t.dbc");
+      CHECK(signal(dbc, "M", "S").max == 4000);
+      CHECK(dbc.find("M")->broken.empty());
+      CHECK((text.find(" N:") == std::string::npos) == (dbc.find("N") == nullptr));
+    }
+  }
+  const config::Dbc dbc = config::parse_dbc(
+      good + "BO_ 3 Q: 8 A\n SG_ X m : 0|8@1+ (1,0) [0|1] \"\" A\n" + "SG_ Y : 8|8@1+ (1,0) [0|1] \"\" A\n",
+      "t.dbc");
+  CHECK(dbc.find("Q")->broken.rfind("t.dbc:4: SG_: signal X has a wrong multiplexing word", 0) == 0);
+  // What a section says of a message makes it what it is.
+  CHECK_FALSE(config::parse_dbc(good + "SIG_VALTYPE_ 256 S : 7;", "t.dbc").find("M")->broken.empty());
+}
+
+TEST_CASE("long names beside the short ones") {
+  const config::Dbc dbc = config::parse_dbc(
+      "BO_ 256 M: 8 A\n SG_ Short : 0|16@1+ (1,0) [0|4000] \"rpm\" A\n SG_ S : 16|8@1+ (1,0) [0|1] \"\" A\n"
+      "BA_DEF_DEF_ \"SystemSignalLongSymbol\" \"\";\n"
+      "BA_ \"SystemSignalLongSymbol\" SG_ 256 Short \"TheLongName\";\n"
+      "BA_ \"SystemMessageLongSymbol\" BO_ 256 \"TheLongMessage\";\n",
+      "t.dbc");
+  CHECK(signal(dbc, "M", "TheLongName").name == "Short");
+  CHECK(signal(dbc, "TheLongMessage", "Short").name == "Short");
+  CHECK(dbc.find("") == nullptr);
+  CHECK(dbc.find("M")->find("") == nullptr);
+}
+
+TEST_CASE("text that is none is named for what it is") {
+  const auto said = [](std::string_view text) {
+    return complaint([&] { config::parse_dbc(text, "t.dbc"); });
+  };
+  using namespace std::string_view_literals;
+  CHECK(said("\xFF\xFEV\0E\0"sv).find("is UTF-16, expected UTF-8") != std::string::npos);
+  CHECK(said("V\0E\0R\0"sv).find("is UTF-16") != std::string::npos);
+  CHECK(said("VERSION \"\"\rBU_: A\rBO_ 256 M: 8 A\r").find("line ends of CR alone") != std::string::npos);
+  CHECK(said("VERSION \"\"\r\nBU_: A\r\n") == "");
+  CHECK(config::parse_dbc("BO_ 256 M: 8 A\n SG_ \xD6l : 0|8@1+ (1,0) [0|1] \"\" A\n", "t.dbc")
+            .messages.size() == 1);
 }
 
 TEST_CASE("real files: every message and signal their lines declare") {

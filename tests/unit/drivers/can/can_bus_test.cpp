@@ -9,6 +9,7 @@
 #include <deque>
 
 #include "rigsound/device_error.hpp"
+#include "rigsound/machine/signal_board.hpp"
 #include "rigsound/monotonic_time.hpp"
 
 using namespace rigsound;
@@ -161,7 +162,7 @@ TEST_CASE("Data and error frames are told apart in order, drops are counted over
   CHECK(s.count("frames_dropped") == 22);  // 11 on each of two sockets
 }
 
-TEST_CASE("A controller that reports its trouble again and again is told once a second at most") {
+TEST_CASE("A controller that reports its trouble again and again is told once a minute at most") {
   Setup s;
   s.script.frames.assign(200, error(CAN_ERR_CRTL, CAN_ERR_CRTL_TX_PASSIVE));
   s.script.answers = {200, 200, 200};
@@ -233,6 +234,22 @@ TEST_CASE("A bus that goes down says so of every signal, with the time, before i
     CHECK(s.story.heard[i].time_s >= before_s);
     CHECK(s.story.heard[i].time_s <= monotonic_s());
   }
+}
+
+TEST_CASE("A bus that is up again has no value yet: its signals are stale, not down") {
+  Setup s;
+  s.script.answers = {-ENETDOWN, 0};
+  s.script.refusals = {"", ""};
+  s.steps(2);
+  SignalBoard board;
+  board.take({{Signal::kRodCount, 1}, 3, Validity::kValid, 0});
+  for (const Reading& reading : s.story.heard) board.take(reading);
+  CHECK(board.entry({Signal::kRodCount, 1}).validity == Validity::kBusDown);
+  while (s.story.told.back() != "up") s.steps(1);
+  for (const Reading& reading : s.story.heard) board.take(reading);
+  CHECK(board.entry({Signal::kRodCount, 1}).validity == Validity::kStale);
+  CHECK(board.entry({Signal::kRodCount, 1}).refused == 0);
+  CHECK(board.entry({Signal::kFeedPressureBar, 1}).validity == Validity::kNeverSeen);
 }
 
 TEST_CASE("The kernel passes the messages of the routes; with a tap all data frames") {

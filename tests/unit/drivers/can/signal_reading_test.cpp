@@ -22,7 +22,7 @@ Frame frame(std::uint32_t id, std::initializer_list<int> bytes) {
 
 SignalLayout layout(int start, int length, ByteOrder order = ByteOrder::kIntel,
                     ValueType type = ValueType::kUnsigned, double scale = 1, double offset = 0) {
-  return {{start, length, order}, type, scale, offset, {}};
+  return {{start, length, order}, type, scale, offset, {}, {}};
 }
 
 /// From the definition, bit by bit: Intel counts up from the least significant bit; Motorola goes from the
@@ -103,8 +103,8 @@ TEST_CASE("raw values that J1939 sets apart are no values") {
   const auto speed = [](int low, int high, RawValues raw_values) {
     return read_signal(kEngineSpeed, raw_values, frame(0x0CF00400, {0, 0, 0, low, high, 0, 0, 0}));
   };
-  CHECK(speed(0xFE, 0xFA, RawValues::kJ1939)->validity == Validity::kValid);
-  CHECK(speed(0xFF, 0xFA, RawValues::kJ1939)->validity == Validity::kErrorValue);
+  CHECK(speed(0xFF, 0xFA, RawValues::kJ1939)->value == 8031.875);  // the highest of SPN 190
+  CHECK(speed(0x00, 0xFB, RawValues::kJ1939)->validity == Validity::kErrorValue);
   CHECK(speed(0x00, 0xFE, RawValues::kJ1939)->validity == Validity::kErrorValue);
   CHECK(speed(0xFF, 0xFF, RawValues::kJ1939)->validity == Validity::kNotAvailable);
   CHECK(speed(0xFF, 0xFF, RawValues::kAll)->value == 65535 * 0.125);
@@ -114,6 +114,18 @@ TEST_CASE("raw values that J1939 sets apart are no values") {
   CHECK(load(0xFA) == Validity::kValid);
   CHECK(load(0xFB) == Validity::kErrorValue);
   CHECK(load(0xFF) == Validity::kNotAvailable);
+  CHECK(j1939_meaning(2, 1) == Validity::kValid);
+  CHECK(j1939_meaning(2, 2) == Validity::kErrorValue);
+  CHECK(j1939_meaning(4, 13) == Validity::kValid);
+  CHECK(j1939_meaning(4, 15) == Validity::kNotAvailable);
+  CHECK(j1939_meaning(10, 0x3FA) == Validity::kValid);
+  CHECK(j1939_meaning(10, 0x3FE) == Validity::kErrorValue);
+  CHECK(j1939_meaning(12, 0xFAF) == Validity::kValid);
+  CHECK(j1939_meaning(12, 0xFF0) == Validity::kNotAvailable);
+  CHECK(j1939_meaning(32, 0xFAFFFFFF) == Validity::kValid);
+  CHECK(j1939_meaning(32, 0xFE000000) == Validity::kErrorValue);
+  CHECK(j1939_meaning(64, ~std::uint64_t{0}) == Validity::kNotAvailable);
+  CHECK(j1939_meaning(1, 1) == Validity::kValid);
 }
 
 TEST_CASE("a parameter group is matched whatever its priority, source and destination") {

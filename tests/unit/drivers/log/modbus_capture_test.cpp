@@ -10,6 +10,7 @@
 
 #include "drivers/modbus/bus_harness.hpp"
 #include "log/modbus_conversation.hpp"
+#include "rigsound/log/can_reader.hpp"
 #include "rigsound/log/modbus_capture_writer.hpp"
 #include "rigsound/log/modbus_log.hpp"
 #include "rigsound/machine/input_error.hpp"
@@ -23,9 +24,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct CaptureFile {
-  CaptureFile() : path(fs::temp_directory_path() / ("rigsound_" + std::to_string(::getpid()) + ".pcap")) {}
-  ~CaptureFile() { fs::remove(path); }
+struct OwnFile {
+  OwnFile() : path(fs::temp_directory_path() / ("rigsound_" + std::to_string(::getpid()) + ".pcap")) {}
+  ~OwnFile() { fs::remove(path); }
   fs::path path;
 };
 
@@ -39,7 +40,7 @@ const std::vector<Exchange> kSaid = {{1, Table::kHolding, true, 0, {855, 0x43F9,
 void write_said(const fs::path& file) {
   ModbusCaptureWriter writer(file);
   for (std::size_t i = 0; i < kSaid.size(); ++i)
-    writer.write(1'733'212'800'000'000'000 + static_cast<std::int64_t>(i) * 1'500'000'001, kSaid[i]);
+    writer.write(1'733'212'800'000'000'000 + static_cast<std::int64_t>(i) * 1'500'000'001, {"", 0}, kSaid[i]);
   writer.flush();
 }
 
@@ -59,10 +60,11 @@ TcpPacket segment(const std::vector<std::uint8_t>& bytes, std::uint32_t sequence
 }  // namespace
 
 TEST_CASE("What was written as a capture is read as it was, to the nanosecond") {
-  const CaptureFile file;
+  const OwnFile file;
   write_said(file.path);
-  CHECK(is_capture(file.path));
-  ModbusCapture capture(file.path);
+  CHECK(format_of(LogFile(file.path)) == LogFormat::kCapture);
+  const LogFile log_file(file.path);
+  ModbusCapture capture(log_file);
   TimedExchange got;
   for (std::size_t i = 0; i < kSaid.size(); ++i) {
     REQUIRE(capture.next(got));
@@ -79,13 +81,13 @@ TEST_CASE("What was written as a capture is read as it was, to the nanosecond") 
 }
 
 TEST_CASE("A capture plays onto the board at its own times") {
-  const CaptureFile file;
+  const OwnFile file;
   write_said(file.path);
   modbus::ModbusOptions link;
   link.routes = {modbus::route(Signal::kFeedPressureBar, Table::kHolding, 0, modbus::WordType::kUint16,
                                modbus::WordOrder::kAbcd, 0.1),
                  modbus::route(Signal::kPercussion, Table::kCoil, 1)};
-  ModbusLog log(file.path, {link});
+  ModbusLog log(LogFile(file.path), {link}, {});
   SignalBoard board;
   log.read_until(0, board);
   CHECK(board.entry({Signal::kFeedPressureBar}).value == doctest::Approx(85.5));
@@ -94,6 +96,37 @@ TEST_CASE("A capture plays onto the board at its own times") {
   log.read_until(5, board);
   CHECK(board.entry({Signal::kPercussion}).value == 1);
   CHECK(board.entry({Signal::kPercussion}).seen_s == doctest::Approx(4.5));
+}
+
+TEST_CASE("Two recorded devices with the same unit stay apart") {
+  const OwnFile file;
+  {
+    ModbusCaptureWriter writer(file.path);
+    for (int i = 0; i < 3; ++i) {
+      const auto words = [i](int base) {
+        return std::vector<std::uint16_t>{static_cast<std::uint16_t>(base + i)};
+      };
+      writer.write(i, {"10.0.0.1", 502}, {1, Table::kHolding, false, 0, words(10)});
+      writer.write(i, {"10.0.0.2", 502}, {1, Table::kHolding, false, 0, words(20)});
+    }
+    writer.flush();
+  }
+  const auto link = [](const char* host, Signal signal) {
+    modbus::ModbusOptions options;
+    options.role = modbus::Role::kClient;
+    options.host = host;
+    options.port = 502;
+    options.address = std::string(host) + ":502";
+    options.routes = {modbus::route(signal, Table::kHolding, 0)};
+    return options;
+  };
+  ModbusLog log(LogFile(file.path),
+                {link("10.0.0.1", Signal::kFeedPressureBar), link("10.0.0.2", Signal::kRotationPressureBar)},
+                {});
+  SignalBoard board;
+  log.read_until(10, board);
+  CHECK(board.entry({Signal::kFeedPressureBar}).value == 12);
+  CHECK(board.entry({Signal::kRotationPressureBar}).value == 22);
 }
 
 TEST_CASE("Streams take repeated, overlapping and lost segments as TCP does") {
@@ -110,27 +143,44 @@ TEST_CASE("Streams take repeated, overlapping and lost segments as TCP does") {
   CHECK(stream.add(segment(head, 1012)));
   CHECK(stream.add(segment(frame, 5000)));  // what lay between was not captured
   CHECK(stream.next() == frame);
+  CHECK(stream.next().empty());
   CHECK_FALSE(stream.add(segment(std::vector<std::uint8_t>(20, 0xAA), 5012)));
 }
 
+TEST_CASE("A segment that comes late fills its gap") {
+  const std::vector<std::uint8_t> first = {0, 1, 0, 0, 0, 6, 1, 6, 0, 0, 0, 85},
+                                  second = {0, 2, 0, 0, 0, 6, 1, 6, 0, 0, 0, 86},
+                                  third = {0, 3, 0, 0, 0, 6, 1, 6, 0, 0, 0, 87};
+  FrameStream stream;
+  CHECK(stream.add(segment(first, 1000)));
+  CHECK(stream.add(segment(third, 1024)));
+  CHECK(stream.add(segment(second, 1012)));
+  CHECK(stream.add(segment(second, 1012)));  // and once more
+  CHECK(stream.next() == first);
+  CHECK(stream.next() == third);
+  CHECK(stream.next() == second);
+  CHECK(stream.next().empty());
+}
+
 TEST_CASE("A cut-off capture, and what is none, are refused") {
-  const CaptureFile file;
+  const OwnFile file;
   write_said(file.path);
   const std::string whole = bytes_of(file.path);
   std::ofstream(file.path, std::ios::binary | std::ios::trunc) << whole.substr(0, whole.size() - 5);
-  ModbusCapture capture(file.path);
+  const LogFile log_file(file.path);
+  ModbusCapture capture(log_file);
   TimedExchange got;
   CHECK_THROWS_AS(while (capture.next(got)){}, InputError);
   std::ofstream(file.path, std::ios::trunc) << "(0.0) can0 123#00\n";
-  CHECK_FALSE(is_capture(file.path));
-  CHECK_THROWS_AS(ModbusCapture{file.path}, InputError);
-  CHECK_THROWS_AS(is_capture("/nonexistent.pcap"), InputError);
+  CHECK(format_of(LogFile(file.path)) == LogFormat::kCandump);
+  CHECK_THROWS_AS(ModbusCapture{LogFile(file.path)}, InputError);
 }
 
 TEST_CASE("A capture of a real device: every function, the refusal, the functions that carry no values") {
   const auto file = tests::test_data("a real Modbus capture", "modbus/icsnpp_modbus_example.pcap");
   if (!file) return;
-  ModbusCapture capture(*file);
+  const LogFile log_file(*file);
+  ModbusCapture capture(log_file);
   TimedExchange got;
   int written = 0, read = 0;
   while (capture.next(got)) {

@@ -83,7 +83,7 @@ TEST_CASE("The client reads registers and bits, and tells the loss and the retur
   auto plc = std::make_unique<Plc>();
   const int port = plc->port();
   Told told;
-  Client client(asking(port), told, nullptr);
+  Client client({asking(port)}, told, nullptr);
   const Running running(client);
   await([&] { return told.of(Signal::kPercussion).validity == Validity::kValid; });
   CHECK(told.of(Signal::kFeedPressureBar).value == doctest::Approx(85.5));
@@ -103,7 +103,7 @@ TEST_CASE("A register the device does not have puts its own signal in doubt and 
   ModbusOptions options = asking(plc.port());
   options.routes.push_back(route(Signal::kRodCount, Table::kHolding, 500));
   Told told;
-  Client client(options, told, nullptr);
+  Client client({options}, told, nullptr);
   const Running running(client);
   await([&] { return told.of(Signal::kRodCount).validity != Validity::kNeverSeen; });
   await([&] { return told.of(Signal::kPercussion).validity == Validity::kValid; });
@@ -117,7 +117,7 @@ TEST_CASE("A device that is not there is told once") {
   int port = 0;
   { port = Plc().port(); }
   Told told;
-  Client client(asking(port), told, nullptr);
+  Client client({asking(port)}, told, nullptr);
   for (int i = 0; i < 4; ++i) client.step();
   CHECK(told.notices() == 1);
   CHECK(told.ups() == 0);
@@ -137,7 +137,7 @@ TEST_CASE("On a serial line, answers to what was asked before the link was made 
   REQUIRE(::tcsetattr(opened_before.get(), TCSANOW, &raw) == 0);
   line.say(with_checksum({1, 3, 2, 0, 77}));
   Told told;
-  Client client(options, told, nullptr);
+  Client client({options}, told, nullptr);
   const Running running(client);
   const Bytes question = with_checksum({1, 3, 0, 0, 0, 1});
   REQUIRE(line.hear(question.size()) == question);

@@ -36,6 +36,51 @@ TEST_CASE("Every word type in every word order") {
   CHECK(decoded(WordType::kInt16, WordOrder::kAbcd, {0xFFFF}) == -1);
 }
 
+TEST_CASE("Values of four words in every word order") {
+  // 499.375 as a double is 0x407F360000000000
+  const std::vector<std::uint16_t> abcd = {0x407F, 0x3600, 0, 0}, number = {0x0000, 0x0001, 0x0203, 0x0405};
+  const auto reversed = [](std::vector<std::uint16_t> words) {
+    return std::vector<std::uint16_t>(words.rbegin(), words.rend());
+  };
+  const auto swapped = [](std::vector<std::uint16_t> words) {
+    for (std::uint16_t& word : words) word = static_cast<std::uint16_t>(word << 8 | word >> 8);
+    return words;
+  };
+  CHECK(decoded(WordType::kFloat64, WordOrder::kAbcd, abcd) == 499.375);
+  CHECK(decoded(WordType::kFloat64, WordOrder::kCdab, reversed(abcd)) == 499.375);
+  CHECK(decoded(WordType::kFloat64, WordOrder::kBadc, swapped(abcd)) == 499.375);
+  CHECK(decoded(WordType::kFloat64, WordOrder::kDcba, swapped(reversed(abcd))) == 499.375);
+  CHECK(decoded(WordType::kUint64, WordOrder::kAbcd, number) == 0x000102030405);
+  CHECK(decoded(WordType::kInt64, WordOrder::kAbcd, {0xFFFF, 0xFFFF, 0xFFFF, 0xFFFE}) == -2);
+  CHECK(decoded(WordType::kUint64, WordOrder::kAbcd, {0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF}) ==
+        18446744073709551615.0);
+}
+
+TEST_CASE("Some bits of a status word, and a table of values") {
+  RegisterRoute status = route(Signal::kPercussion, Table::kHolding, 0);
+  status.mask = 0x0008;
+  const std::uint16_t on = 0xFFFF, off = 0xFFF7;
+  CHECK(decode(status, &on) == 1);
+  CHECK(decode(status, &off) == 0);
+  status.mask = 0x0F00;
+  const std::uint16_t word = 0xA5C3;
+  CHECK(decode(status, &word) == 5);
+  status.target = {Signal::kRattling};
+  status.values = {{0, 0}, {5, 2}};
+  CHECK(decode(status, &word) == 2);
+  Exchange exchange;
+  exchange.values = {0xA6C3};  // 6 is none of its values
+  std::vector<Reading> found;
+  readings(exchange, {status}, 1, found);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].validity == Validity::kOutOfRange);
+  CHECK(found[0].value == 6);
+  RegisterRoute wide = route(Signal::kRock, Table::kHolding, 0, WordType::kUint32, WordOrder::kCdab);
+  wide.mask = 0x00FF0000;
+  const std::uint16_t two[] = {0x5678, 0x1234};
+  CHECK(decode(wide, two) == 0x34);
+}
+
 TEST_CASE("An exchange gives a reading for each route wholly inside it") {
   const std::vector<RegisterRoute> routes = {
       route(Signal::kEngineRpm, Table::kHolding, 10, WordType::kFloat32),

@@ -11,8 +11,8 @@ using namespace rigsound::modbus;
 
 namespace {
 
-struct Line : SerialLine {
-  Line() {
+struct ServedLine : SerialLine {
+  ServedLine() {
     options.transport = Transport::kRtu;
     options.address = device();
     options.unit = 17;
@@ -33,7 +33,7 @@ const Bytes kWrite85 = with_checksum({17, 6, 0, 0, 0, 85});
 }  // namespace
 
 TEST_CASE("A write over the line arrives and is confirmed") {
-  Line line;
+  ServedLine line;
   line.say(kWrite85);
   CHECK(line.hear(kWrite85.size()) == kWrite85);
   await([&] { return line.told.total() == 1; });
@@ -41,7 +41,7 @@ TEST_CASE("A write over the line arrives and is confirmed") {
 }
 
 TEST_CASE("Other units' frames, broken checksums and refused values change nothing") {
-  Line line;
+  ServedLine line;
   const Bytes other = with_checksum({18, 6, 0, 0, 0, 85});
   line.say(other);
   std::this_thread::sleep_for(std::chrono::milliseconds(50));  // a pause on the line ends a frame
@@ -59,8 +59,19 @@ TEST_CASE("Other units' frames, broken checksums and refused values change nothi
   CHECK(count(*line.server, "requests_refused") == 1);
 }
 
+TEST_CASE("A broadcast is obeyed and never answered, refused or not") {
+  ServedLine line;
+  line.say(with_checksum({0, 6, 0, 9, 0, 85}));  // no such register
+  await([&] { return count(*line.server, "requests_refused") == 1; });
+  line.say(with_checksum({0, 6, 0, 0, 0, 85}));
+  await([&] { return line.told.of(Signal::kFeedPressureBar).value == 85; });
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  line.say(kWrite85);
+  CHECK(line.hear(kWrite85.size()) == kWrite85);  // the first bytes of the server
+}
+
 TEST_CASE("A line that goes away is told, and looked for") {
-  Line line;
+  ServedLine line;
   line.cut();
   await([&] { return line.told.downs() == 1; });
   await([&] { return line.told.notices() >= 1; });

@@ -11,7 +11,7 @@
 #include <cstring>
 
 #include "drivers/modbus/bus_harness.hpp"
-#include "modbus/tcp_socket.hpp"
+#include "rigsound/socket/network.hpp"
 
 using namespace rigsound;
 using namespace rigsound::modbus;
@@ -113,6 +113,8 @@ TEST_CASE("Values that are no values and addresses that are none are refused, th
   CHECK(refused_as(3, modbus_write_register(c.get(), 0, 3001)));
   CHECK(refused_as(3, modbus_write_register(c.get(), 2, 0x43F9)));
   CHECK(refused_as(2, modbus_write_register(c.get(), 1, 0)));
+  const std::uint16_t half[] = {1, 0x43F9};
+  CHECK(refused_as(3, modbus_write_registers(c.get(), 1, 2, half)));
   CHECK(refused_as(2, modbus_write_register(c.get(), 999, 0)));
   std::uint16_t got[6] = {};
   CHECK(refused_as(2, modbus_read_registers(c.get(), 0, 6, got)));
@@ -120,11 +122,93 @@ TEST_CASE("Values that are no values and addresses that are none are refused, th
   std::uint8_t id[64] = {};
   CHECK(refused_as(1, modbus_report_slave_id(c.get(), 64, id)));
   CHECK(s.told.total() == before);
-  await([&] { return count(*s.server, "requests_refused") == 9; });
-  CHECK(s.told.notices() >= 1);
-  CHECK(s.told.notices() < 9);  // once a second at most
+  await([&] { return count(*s.server, "requests_refused") == 10; });
+  CHECK(s.told.notices() == 3);  // one a kind: value, address, function
   REQUIRE(modbus_read_registers(c.get(), 0, 1, got) == 1);
   CHECK(got[0] == 855);
+}
+
+TEST_CASE("A write over addresses that nobody uses takes those that are") {
+  Served s;
+  const Context c = s.client();
+  const std::uint16_t all[] = {7, 855, 9, 0x43F9, 0xB000, 5, 11, 12};
+  REQUIRE(modbus_write_registers(c.get(), 0, 5, all + 1) == 5);
+  await([&] { return s.told.of(Signal::kRodCount).value == 5; });
+  CHECK(s.told.of(Signal::kEngineRpm).value == 499.375);
+  CHECK(s.told.of(Signal::kFeedPressureBar).value == doctest::Approx(85.5));
+  REQUIRE(modbus_write_registers(c.get(), 4, 3, all + 5) == 3);  // beyond the last one
+  CHECK(modbus_write_registers(c.get(), 5, 2, all) == -1);       // none of them
+}
+
+TEST_CASE("0 stands for the bank's own rate, over Modbus too") {
+  Told told;
+  ModbusOptions options;
+  options.port = 0;
+  options.routes = {route(Signal::kPercussionRateHz, Table::kHolding, 0)};
+  RegisterFile registers(options.routes);
+  Request request;
+  request.write = modbus::Range{0, 1};
+  request.values = {0};
+  Exchange change;
+  CHECK_FALSE(registers.check(request, change));
+  request.values = {3};
+  CHECK(registers.check(request, change) == Refusal::kValue);
+}
+
+TEST_CASE("A manual's number that was sent as an address gets a hint") {
+  Served s;
+  const Context c = s.client();
+  CHECK(modbus_write_register(c.get(), 40001, 5) == -1);
+  await([&] { return s.told.notices() == 1; });
+  CHECK(s.told.last_text() ==
+        "127.0.0.1: function 6 refused: address not in the rig, holding 40001 = 80002: addresses count from "
+        "0, did "
+        "you mean holding 0 = 40001?");
+}
+
+TEST_CASE("When the last connection that wrote is gone, and stays away, its signals are down") {
+  Served s;
+  const auto down = [&] { return s.told.of(Signal::kFeedPressureBar).validity == Validity::kBusDown; };
+  auto first = s.client(), second = s.client(), reader = s.client();
+  REQUIRE(modbus_write_register(first.get(), 0, 855) == 1);
+  REQUIRE(modbus_write_register(second.get(), 4, 5) == 1);
+  std::uint16_t got = 0;
+  REQUIRE(modbus_read_registers(reader.get(), 0, 1, &got) == 1);
+  first.reset();
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  CHECK_FALSE(down());  // the second is a master too
+  second.reset();
+  await(down);
+  CHECK(s.told.of(Signal::kRodCount).validity == Validity::kBusDown);
+  CHECK(s.told.downs() == 0);  // the server itself is up
+  const auto again = s.client();
+  REQUIRE(modbus_write_register(again.get(), 0, 700) == 1);
+  await([&] { return s.told.of(Signal::kFeedPressureBar).value == 70; });
+}
+
+TEST_CASE("A server of RTU frames over TCP") {
+  Told told;
+  ModbusOptions options;
+  options.transport = Transport::kRtuTcp;
+  options.host = "127.0.0.1";
+  options.port = 0;
+  options.unit = 17;
+  options.routes = {route(Signal::kFeedPressureBar, Table::kHolding, 0)};
+  TcpServer server(options, told, nullptr);
+  server.step();
+  REQUIRE(server.port() != 0);
+  const Running running(server);
+  ModbusOptions asking = options;
+  asking.role = Role::kClient;
+  asking.port = server.port();
+  const Context c = make_context(asking);
+  connect(c.get(), asking);
+  modbus_set_response_timeout(c.get(), 30, 0);
+  REQUIRE(modbus_write_register(c.get(), 0, 85) == 1);
+  await([&] { return told.of(Signal::kFeedPressureBar).value == 85; });
+  std::uint16_t got = 0;
+  REQUIRE(modbus_read_registers(c.get(), 0, 1, &got) == 1);
+  CHECK(got == 85);
 }
 
 TEST_CASE("Garbage and lying lengths close their connection and nothing else") {

@@ -1,0 +1,28 @@
+// A recorded bus as a file that can be read from its start as often as it takes.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "rigsound/file/file_descriptor.hpp"
+
+namespace rigsound::log {
+
+/// A regular file is read where it lies. Standard input (`-`), a pipe, and what gzip packed, are first
+/// copied, unpacked, into a temporary file without a name. Thread: OFF.
+class LogFile {
+ public:
+  /// Errors: InputError for what cannot be opened, is a folder or is damaged; DeviceError when there is no
+  /// room.
+  explicit LogFile(const std::filesystem::path& file);
+
+  const std::string& name() const { return name_; }            ///< for messages
+  const std::filesystem::path& path() const { return path_; }  ///< to be opened while this lives
+
+ private:
+  std::string name_;
+  std::filesystem::path path_;
+  FileDescriptor copy_;
+};
+
+}  // namespace rigsound::log

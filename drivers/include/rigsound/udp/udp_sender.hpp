@@ -1,0 +1,22 @@
+// Sends datagrams, as a simulator would.
+#pragma once
+
+#include <string>
+
+#include "rigsound/file/file_descriptor.hpp"
+
+namespace rigsound::udp {
+
+/// Errors: DeviceError when the address is none. Thread: OFF.
+class UdpSender {
+ public:
+  /// `address`: HOST:PORT or [V6]:PORT.
+  explicit UdpSender(const std::string& address);
+
+  bool send(const std::string& text) const;  ///< false when nobody listens there, or it is too long
+
+ private:
+  FileDescriptor socket_;
+};
+
+}  // namespace rigsound::udp

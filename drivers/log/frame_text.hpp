@@ -1,0 +1,19 @@
+// A frame as the log form of candump writes it: `0CF00400#F07D859B0FFFFF85`.
+#pragma once
+
+#include <string_view>
+
+#include "rigsound/can/frame.hpp"
+
+namespace rigsound::log {
+
+/// 3 hexadecimal digits are an identifier of 11 bits, 8 one of 29 bits, or an error frame (bit 29).
+bool parse_identifier(std::string_view digits, can::Frame& frame);
+
+/// Classic, remote, FD and error frames. False for anything else; then `frame` holds rubbish.
+bool parse_frame_text(std::string_view text, can::Frame& frame);
+
+/// Whether it is a CAN XL frame.
+bool is_xl_text(std::string_view text);
+
+}  // namespace rigsound::log
