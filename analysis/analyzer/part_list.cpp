@@ -135,9 +135,9 @@ Labelling labelling_of(const fs::path& recording, const AnalyzerOptions& options
     std::error_code none;
     return fs::exists(file, none) ? file : fs::path();
   };
+  if (!options.labels.empty()) return {options.labels, read_labels(options.labels)};
   const fs::path log = options.bus_log.empty() ? beside(".log") : options.bus_log;
   if (bus && !log.empty()) return by_bus(recording, log, *bus, options.bus_log_offset_s, notes);
-  if (!options.labels.empty()) return {options.labels, read_labels(options.labels)};
   if (const fs::path labels = beside(".txt"); !labels.empty()) return {labels, read_labels(labels)};
   Label whole;
   whole.situation = options.situation;

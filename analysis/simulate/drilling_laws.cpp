@@ -13,10 +13,10 @@ constexpr double kLowestRateHz = 38, kHighestRateHz = 42;  // at the normal feed
 
 // Slopes over the feed, 1/bar.
 constexpr double kLnRate = -0.0011, kLnNorm = 0.0035, kLnDecay = 0.008, kGapVariation = -0.0004,
-                 kNormVariation = -0.0016, kTiltDb = -0.05, kDieselRpm = 2.2;
+                 kNormVariation = -0.0011, kTiltDb = -0.05, kDieselRpm = 2.2;
 // Values at the normal feed.
 constexpr double kNominalRateHz = 40, kNormalDecay_s = 115, kNormalGapVariation = 0.03,
-                 kNormalNormVariation = 0.13, kNormalTiltDb = -1, kNormalRpm = 1900;
+                 kNormalNormVariation = 0.10, kNormalTiltDb = -1, kNormalRpm = 1900;
 // What is left of the variations where the machine is pressed hardest.
 constexpr double kLeastGapVariation = 0.006, kLeastNormVariation = 0.03;
 // Impacts that do not come: their share at the underfeed point, and the feed over which it falls by e.

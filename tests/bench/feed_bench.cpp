@@ -12,7 +12,8 @@
 #include "rigsound/analysis/analyzer.hpp"
 #include "rigsound/analysis/resynth.hpp"
 #include "rigsound/analysis/simulate.hpp"
-#include "rigsound/config/sound_set_files.hpp"
+#include "rigsound/config/bank_files.hpp"
+#include "rigsound/config/sound_set_index.hpp"
 #include "simulate/situation_recording.hpp"
 #include "unit/analysis/analyzer/learned_drill.hpp"
 #include "unit/temporary_folder.hpp"
@@ -41,7 +42,7 @@ void print_errors(double feed, const char* where, const HeardErrors& e) {
 /// Wanted: rate within 1 %, level 0.5 dB, decay 10 %.
 void ramp_rows(std::uint64_t seed) {
   const test::TemporaryFolder folder;
-  const SoundSet sounds = learned_from_ramp(folder.path, {seed, 96, kJobs});
+  const SoundSet sounds = learned_from_ramp(folder.path, {seed, 120, kJobs});
   const DrillingLaws truth(seed);
   fmt::print("ramp, seed {}: {} banks\n", seed, sounds.uses.size());
   Worst worst;
@@ -86,7 +87,7 @@ void situation_rows(std::uint64_t seed) {
   options.jobs = kJobs;
   options.tool_version = "bench";
   run_analyzer(options, {});
-  const SoundSet set = config::load_sound_set(options.sound_set, 48000);
+  const config::SoundSetIndex index = config::load_index(options.sound_set);
   std::vector<Sound> sounds;
   for (int i = 0; i < kSituationCount; ++i) {
     const auto situation = static_cast<Situation>(i);
@@ -94,8 +95,10 @@ void situation_rows(std::uint64_t seed) {
     Sound sound{situation, r.rate_hz, {r.clean.begin(), r.clean.end()}, {}};
     for (std::size_t n = 0; n < r.background.size(); ++n)
       sound.recorded[n] += static_cast<float>(r.background[n]);
-    for (const BankUse& use : set.uses)
-      if (use.situation == situation) sound.played = resynthesise(set.banks[use.bank], 20, 1).sound;
+    for (const config::BankEntry& entry : index.banks)
+      if (entry.situation == situation)
+        sound.played =
+            resynthesise(config::load_bank(options.sound_set / "banks" / entry.name).bank, 20, 1).sound;
     sounds.push_back(std::move(sound));
   }
   fmt::print("situations, seed {}\n", seed);

@@ -90,8 +90,9 @@ void add_analyze(cli::Verb& program) {
       .required();
   verb.option("--out", a->sound_set, "sound set; made if need be, never overwritten where people edit it")
       .required();
-  verb.option("--labels", a->labels,
-              "Audacity label file of the one recording; otherwise STEM.txt beside each recording is used");
+  const cli::Option labels = verb.option(
+      "--labels", a->labels,
+      "Audacity label file of the one recording; otherwise STEM.txt beside each recording is used");
   const cli::Option rig =
       verb.option("--rig", a->rig,
                   "rig file that describes the bus; a bus log STEM.log beside a recording is then read "

@@ -84,9 +84,9 @@ void add_simulate(cli::Verb& program) {
       verb.option("--ids", o->ids, "DrillBench clips by number instead, such as 100-131 or 3,7")
           .separated_by_commas();
   verb.option("--feed-ramp", o->ramp_seconds,
-              "also a recording of so many seconds along a feed ramp, with its bus log; the name alone: 96")
+              "also a recording of so many seconds along a feed ramp, with its bus log; the name alone: 120")
       .range(10, 3600)
-      .value_or("96")
+      .value_or("120")
       .excludes(ids);
   verb.option("--rods", o->rods,
               "also underfeed, normal and overfeed of these rod counts; the name alone: 1,3,6")

@@ -11,7 +11,7 @@ namespace rigsound::analysis {
 
 struct RampRequest {
   std::uint64_t seed = 1;
-  double seconds = 96;
+  double seconds = 120;
   int jobs = 1;
 };
 
