@@ -45,12 +45,8 @@ const auto& entry_named(const Table& table, std::string_view name, const std::st
 
 template <class Info>
 void require_taken(const Info& info, double value) {
-  if (info.takes(value)) return;
-  const std::string unit(info.unit);
-  const Range range{info.min, info.max, unit.c_str()};
-  throw std::invalid_argument(
-      std::string(info.name) + ": " +
-      (info.kind == SignalKind::kNumberOrZero ? range.or_zero() : range).problem(value));
+  if (!info.takes(value))
+    throw std::invalid_argument(std::string(info.name) + ": " + info.range().problem(value));
 }
 
 }  // namespace
