@@ -10,9 +10,7 @@
 namespace rigsound::analysis {
 namespace {
 
-bool said(const SignalBoard& board, Signal signal) {
-  return board.entry({signal, 0}).ever_good();
-}
+bool said(const SignalBoard& board, Signal signal) { return board.entry({signal, 0}).ever_good(); }
 
 BusMoment moment_of(const MachineState& state, const SignalBoard& board, const scene::FeedRule& rule) {
   const BoomState& boom = state.boom[0];

@@ -167,18 +167,6 @@ void require_playable(const Rig& rig, const TomlTable& root) {
   }
 }
 
-void read_buses(TomlTable& root, const std::filesystem::path& folder, Rig& rig) {
-  for (TomlTable& table : root.tables("can"))
-    take_bus(read_can(table, folder, rig.engine.booms), rig.can, rig.doubts);
-  for (TomlTable& table : root.tables("modbus"))
-    take_bus(read_modbus(table, rig.engine.booms), rig.modbus, rig.doubts);
-  for (TomlTable& table : root.tables("udp")) {
-    rig.udp.push_back(read_udp(table, free_signals(rig)));
-    if (rig.udp.back().routes.empty())
-      table.fail("signals", "there is none left that no other bus delivers, expected one or more");
-  }
-}
-
 }  // namespace
 
 Rig load_rig(const std::filesystem::path& file, Buses buses) {

@@ -94,7 +94,7 @@ class Modbus(unittest.TestCase):
 
 class Screen(unittest.TestCase):
     FORMS = (['-ta'], ['-tA'], ['-td'], ['-tz'], ['-ta', '-x'], ['-ta', '-i'], ['-ta', '-S'], ['-ta', '-a'],
-             ['-tz', '-x', '-a', '-S'], ['-ta', '-i', '-S'], ['-ta', '-c'], ['-ta', '-8'], [])
+             ['-tz', '-x', '-a', '-S'], ['-ta', '-i', '-S'], ['-ta', '-c'], [])
 
     def test_every_form_of_candump_is_read(self):
         rig = write_rig('/tmp/rig.toml', PLACE.project, PLACE.sounds, can=['vcan0'], safety='stale_after_ms = 0')

@@ -31,7 +31,7 @@ std::string metrics(const SmallRig& rig) {
 }
 
 constexpr const char* kTwoLinks =
-    "[[modbus]]\nrole = \"client\"\ntransport = \"tcp\"\naddress = \"127.0.0.1:9\"\nunit = 1\n"
+    "[[modbus]]\nrole = \"server\"\ntransport = \"tcp\"\naddress = \"127.0.0.1:9\"\nunit = 1\n"
     "[modbus.signals]\nrock = { table = \"holding\", address = 0 }\n"
     "[[modbus]]\nrole = \"client\"\ntransport = \"tcp\"\naddress = \"127.0.0.1:9\"\nunit = 2\n"
     "[modbus.signals]\nrod_count = { table = \"holding\", address = 0 }\n";
