@@ -9,20 +9,17 @@
 #include "rigsound/analysis/analyzer.hpp"
 #include "rigsound/analysis/wave_file.hpp"
 #include "simulate/drillbench_clip.hpp"
+#include "temporary_folder.hpp"
 
 namespace rigsound::analysis {
 
+/// One of its own for every run: several may test at the same time.
 class Workplace {
  public:
-  Workplace() : path_(std::filesystem::temp_directory_path() / "rigsound_analyzer_test") {
-    std::filesystem::remove_all(path_);
-    std::filesystem::create_directories(path_);
-  }
-  ~Workplace() { std::filesystem::remove_all(path_); }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  std::filesystem::path operator/(const std::string& name) const { return folder_.path / name; }
 
  private:
-  std::filesystem::path path_;
+  test::TemporaryFolder folder_;
 };
 
 inline void write_text(const std::filesystem::path& path, const std::string& text) {
