@@ -7,6 +7,15 @@
 namespace rigsound::daemon {
 namespace {
 
+/// A server and a client at one address have one name; figures go by names.
+void name_apart(std::vector<BusSnapshot>& buses) {
+  for (std::size_t i = 0; i < buses.size(); ++i) {
+    int same = 1;
+    for (std::size_t j = i + 1; j < buses.size(); ++j)
+      if (buses[j].name == buses[i].name) buses[j].name += " #" + std::to_string(++same);
+  }
+}
+
 LevelSnapshot level(const LevelSum& sum, std::uint64_t blocks) {
   return {static_cast<double>(sum.peak), sum.rms(blocks)};
 }
@@ -46,6 +55,7 @@ Snapshot Daemon::snapshot_with(const LevelWindow& levels) const {
   s.session = {recorder_.options().file.string(), recorder_.problem(), recorder_.recording(),
                recorder_.bytes()};
   for (const auto& feed : feeds_) s.buses.push_back(feed->snapshot());
+  name_apart(s.buses);
   const EngineView& view = audio_.report().view;
   s.paused = view.stands_still;
   for (int b = 0; b < static_cast<int>(loaded_.rig.engine.booms.size()); ++b) {

@@ -38,14 +38,15 @@ constexpr const char* kTwoLinks =
 
 }  // namespace
 
-TEST_CASE("Two units behind one address are one bus, and no series comes twice") {
+TEST_CASE("Two links to one address have two names, and no series comes twice") {
   const SmallRig rig;
   rig.write_rig(kTwoLinks);
   daemon::Daemon daemon({(rig.folder.path / "rig.toml").string(), {}});
   const Running running(daemon);
   const nlohmann::json buses = status(rig.socket())["buses"];
-  REQUIRE(buses.size() == 1);
+  REQUIRE(buses.size() == 2);
   CHECK(buses[0]["name"] == "modbus 127.0.0.1:9");
+  CHECK(buses[1]["name"] == "modbus 127.0.0.1:9 #2");
   std::vector<std::string> series;
   for (const std::string& line : lines_of(metrics(rig)))
     if (line[0] != '#') series.push_back(line.substr(0, line.rfind(' ')));
