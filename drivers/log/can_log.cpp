@@ -145,9 +145,8 @@ std::vector<LogNote> CanLog::notes() const {
   std::vector<LogNote> notes = {
       {text(counts.frames) + " frames in " + seconds_text(time_s_) + " s, " + text(used_) + " used"}};
   if (!reader_->remark().empty()) notes.push_back({reader_->remark()});
-  if (counts.other + counts.xl > 0)
-    notes.push_back({"skipped " + text(counts.other) + " lines that are no frame and " + text(counts.xl) +
-                     " CAN XL frames"});
+  if (counts.other > 0) notes.push_back({"skipped " + text(counts.other) + " lines that are no frame"});
+  if (counts.xl > 0) notes.push_back({"skipped " + text(counts.xl) + " CAN XL frames"});
   if (counts.error_frames > 0) notes.push_back({text(counts.error_frames) + " error frames"});
   if (fd_refused_ > 0)
     notes.push_back({text(fd_refused_) + " CAN FD frames of the rig's messages were not taken: fd = true?"});
