@@ -22,7 +22,10 @@ std::vector<double> string_modes_hz(int rods) {
   const double lowest = kSpeed_m_s / (2 * kRod_m * rods);
   const auto count = static_cast<std::size_t>(kHighestModeHz / lowest), kept = std::min(count, kMostModes);
   std::vector<double> modes;
-  for (std::size_t i = 1; i <= kept; ++i) modes.push_back(lowest * static_cast<double>(i * count / kept));
+  for (std::size_t i = 1; i <= kept; ++i) {
+    const std::size_t number = i * count / kept;
+    modes.push_back(lowest * static_cast<double>(number));
+  }
   return modes;
 }
 
