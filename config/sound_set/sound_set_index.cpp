@@ -20,7 +20,7 @@ constexpr Word<Situation> kSituationWords[] = {{"normal", Situation::kNormal},
                                                {"open_rattling", Situation::kOpenRattling}};
 
 std::string read_name(TomlTable& table) {
-  const std::string name = table.required_text("name", "the name of its file or folder");
+  std::string name = table.required_text("name", "the name of its file or folder");
   if (!is_name(name)) table.fail("name", "\"" + name + "\" is no name, " + std::string(kNameRule));
   return name;
 }
