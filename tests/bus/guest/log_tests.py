@@ -73,7 +73,9 @@ class Modbus(unittest.TestCase):
         self.assertEqual(recorder.stop(), 0)
         decoded = subprocess.run([PLACE.rigsound, 'decode', rig, '--log', '/tmp/written.pcap'], check=True,
                                  capture_output=True, text=True).stdout.splitlines()
-        self.assertEqual([line.split(',', 1)[1] for line in decoded[1:]],
+        rows = [line.split(',', 1)[1] for line in decoded[1:]]
+        told = [row for row in rows if row.split(',')[0] not in ('situation', 'feed_deviation')]
+        self.assertEqual(told,
                          ['rod_count,3', 'rod_count,5', 'rod_count,7', 'percussion,on'])
         with Daemon(PLACE.rigsoundd, rig) as daemon:
             wait_for('the server', lambda: daemon.bus('modbus 127.0.0.1:1502')['up'])
