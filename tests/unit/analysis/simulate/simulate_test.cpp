@@ -168,7 +168,8 @@ TEST_CASE("any two situations are 3 dB of third-octave levels or 5 % of rate apa
     for (const SituationRecording& a : all)
       for (const SituationRecording& b : all) {
         if (&a == &b) continue;
-        const auto [absolute, centred] = distances_db(recorded(a), recorded(b));
+        const auto distances = distances_db(recorded(a), recorded(b));
+        const double absolute = distances.first, centred = distances.second;
         const double rates = std::fabs(std::log(a.rate_hz / b.rate_hz));
         INFO(name(a.situation), " and ", name(b.situation), ": ", absolute, " dB, ", centred, " dB, rate ",
              rates);
