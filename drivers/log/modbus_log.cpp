@@ -95,7 +95,7 @@ std::string wishes(const std::vector<modbus::ModbusOptions>& buses) {
 }  // namespace
 
 ModbusLog::ModbusLog(LogFile file, const std::vector<modbus::ModbusOptions>& buses, const LogOptions& options)
-    : file_(std::move(file)), buses_(buses), clock_(options.longest_gap_s) {
+    : file_(std::move(file)), buses_(buses), entries_(options.longest_gap_s) {
   survey();
   capture_ = std::make_unique<ModbusCapture>(file_, ports_of(buses_));
 }
@@ -181,37 +181,22 @@ void ModbusLog::read_for(std::size_t bus, const TimedExchange& entry, double tim
   modbus::readings(entry.exchange, options.routes, time_s, out);
 }
 
-void ModbusLog::fetch() {
-  if (pending_) return;
-  const auto read_ahead = [this] {
-    TimedExchange next;
-    ahead_ = capture_->next(next) ? std::optional<TimedExchange>(std::move(next)) : std::nullopt;
-  };
-  if (!started_) read_ahead();
-  started_ = true;
-  if (!ahead_) return;
-  pending_ = std::move(ahead_);
-  read_ahead();
-  const auto next_ns = ahead_ ? std::optional<std::int64_t>(ahead_->time_ns) : std::nullopt;
-  time_s_ = static_cast<double>(clock_.place(pending_->time_ns, next_ns, 0)) * 1e-9;
-}
-
 std::optional<double> ModbusLog::next_s() {
-  fetch();
-  return pending_ ? std::optional<double>(time_s_) : std::nullopt;
+  return entries_.front(*capture_) != nullptr ? std::optional<double>(entries_.time_s()) : std::nullopt;
 }
 
 bool ModbusLog::read_until(double until_s, SignalBoard& board) {
   std::vector<Reading> readings;
   bool told = false;
-  for (fetch(); pending_ && time_s_ <= until_s; fetch()) {
+  while (const TimedExchange* entry = entries_.front(*capture_)) {
+    if (entries_.time_s() > until_s) break;
     readings.clear();
-    for (std::size_t bus = 0; bus < buses_.size(); ++bus) read_for(bus, *pending_, time_s_, readings);
+    for (std::size_t bus = 0; bus < buses_.size(); ++bus) read_for(bus, *entry, entries_.time_s(), readings);
     bool good = false;
     for (const Reading& reading : readings) good = board.take(reading) == Validity::kValid || good;
     used_ += good ? 1 : 0;
     told = told || !readings.empty();
-    pending_.reset();
+    entries_.pop();
   }
   return told;
 }
@@ -219,15 +204,15 @@ bool ModbusLog::read_until(double until_s, SignalBoard& board) {
 std::vector<LogNote> ModbusLog::notes() const {
   const CaptureCounts& c = capture_->counts();
   const auto text = [](std::uint64_t n) { return std::to_string(n); };
-  std::vector<LogNote> notes = {
-      {text(c.exchanges) + " exchanges in " + seconds_text(time_s_) + " s, " + text(used_) + " used"}};
+  std::vector<LogNote> notes = {{text(c.exchanges) + " exchanges in " + seconds_text(entries_.time_s()) +
+                                 " s, " + text(used_) + " used"}};
   notes.insert(notes.end(), notes_.begin(), notes_.end());
   if (c.refused > 0) notes.push_back({text(c.refused) + " requests were refused by the device"});
   if (c.unpaired > 0) notes.push_back({text(c.unpaired) + " answers fit no request of the capture"});
   if (c.other_functions > 0)
     notes.push_back({text(c.other_functions) + " requests neither read nor wrote values"});
   if (c.other > 0) notes.push_back({text(c.other) + " packets are no Modbus/TCP"});
-  const std::vector<LogNote> of_clock = clock_.notes();
+  const std::vector<LogNote> of_clock = entries_.clock().notes();
   notes.insert(notes.end(), of_clock.begin(), of_clock.end());
   return notes;
 }

@@ -20,7 +20,7 @@ bool has_datagrams(const LogFile& file, const std::vector<int>& ports) {
 }  // namespace
 
 UdpLog::UdpLog(LogFile file, const std::vector<udp::UdpOptions>& inputs, const LogOptions& options)
-    : file_(std::move(file)), clock_(options.longest_gap_s) {
+    : file_(std::move(file)), entries_(options.longest_gap_s) {
   std::vector<int> ports = ports_of(inputs);
   const bool named = has_datagrams(file_, ports);
   if (!named && inputs.size() == 1) ports.clear();
@@ -66,41 +66,27 @@ void UdpLog::survey(const std::vector<udp::UdpOptions>& inputs) {
                    "none of its " + std::to_string(seen) + " datagrams is of use to the rig: " + nearest);
 }
 
-void UdpLog::fetch() {
-  if (pending_) return;
-  const auto read_ahead = [this] {
-    TimedDatagram next;
-    ahead_ = capture_->next(next) ? std::optional<TimedDatagram>(std::move(next)) : std::nullopt;
-  };
-  if (!started_) read_ahead();
-  started_ = true;
-  if (!ahead_) return;
-  pending_ = std::move(ahead_);
-  read_ahead();
-  const auto next_ns = ahead_ ? std::optional<std::int64_t>(ahead_->time_ns) : std::nullopt;
-  time_s_ = static_cast<double>(clock_.place(pending_->time_ns, next_ns, 0)) * 1e-9;
-}
-
 std::optional<double> UdpLog::next_s() {
-  fetch();
-  return pending_ ? std::optional<double>(time_s_) : std::nullopt;
+  return entries_.front(*capture_) != nullptr ? std::optional<double>(entries_.time_s()) : std::nullopt;
 }
 
 bool UdpLog::read_until(double until_s, SignalBoard& board) {
   bool told = false;
-  for (fetch(); pending_ && time_s_ <= until_s; fetch()) {
+  while (const TimedDatagram* datagram = entries_.front(*capture_)) {
+    const double time_s = entries_.time_s();
+    if (time_s > until_s) break;
     ++seen_;
     std::string problem;
-    const auto content = read(*pending_, time_s_, problem);
-    const int port = inputs_.count(0) != 0 ? 0 : pending_->port;
-    pending_.reset();
+    const auto content = read(*datagram, time_s, problem);
+    const int port = inputs_.count(0) != 0 ? 0 : datagram->port;
+    entries_.pop();
     if (!content) {
       ++bad_;
       continue;
     }
     if (content->unknown_count > 0 && unknown_ == 0) first_unknown_ = content->unknown;
     unknown_ += content->unknown_count;
-    if (content->sequence && !inputs_.at(port).sequence.passes(*content->sequence, time_s_)) {
+    if (content->sequence && !inputs_.at(port).sequence.passes(*content->sequence, time_s)) {
       ++late_;
       continue;
     }
@@ -115,13 +101,13 @@ bool UdpLog::read_until(double until_s, SignalBoard& board) {
 std::vector<LogNote> UdpLog::notes() const {
   const auto text = [](std::uint64_t n) { return std::to_string(n); };
   std::vector<LogNote> notes = {
-      {text(seen_) + " datagrams in " + seconds_text(time_s_) + " s, " + text(used_) + " used"}};
+      {text(seen_) + " datagrams in " + seconds_text(entries_.time_s()) + " s, " + text(used_) + " used"}};
   if (bad_ > 0) notes.push_back({text(bad_) + " datagrams are no JSON object of signals"});
   if (late_ > 0) notes.push_back({text(late_) + " datagrams came after a newer one and were left out"});
   if (unknown_ > 0)
     notes.push_back(
         {text(unknown_) + " names are no signal of the rig, the first is '" + first_unknown_ + "'"});
-  const std::vector<LogNote> of_clock = clock_.notes();
+  const std::vector<LogNote> of_clock = entries_.clock().notes();
   notes.insert(notes.end(), of_clock.begin(), of_clock.end());
   return notes;
 }

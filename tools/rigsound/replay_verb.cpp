@@ -11,6 +11,7 @@
 #include "rigsound/log/can_reader.hpp"
 #include "rigsound/log/log_clock.hpp"
 #include "rigsound/log/modbus_capture.hpp"
+#include "rigsound/log/placed_entries.hpp"
 #include "rigsound/log/replay_clock.hpp"
 #include "rigsound/log/udp_capture.hpp"
 #include "rigsound/machine/input_error.hpp"
@@ -100,78 +101,64 @@ void replay_can(const Options& o) {
   const log::LogFile file(o.log.log);
   const auto reader = log::open_can_reader(file);
   CanTargets targets(o.log.can);
-  log::LogClock times(o.log.longest_gap_s());
+  log::PlacedEntries<log::CanReader, log::CanRecord> entries(o.log.longest_gap_s());
   log::ReplayClock clock(o.speed);
-  log::CanRecord record, ahead;
   Skips skips;
   std::set<std::string> seen;
-  for (bool more = reader->next(ahead); more;) {
-    record = ahead;
-    more = reader->next(ahead);
-    const auto next_ns = more ? std::optional<std::int64_t>(ahead.time_ns) : std::nullopt;
-    const std::int64_t due_ns = times.place(record.time_ns, next_ns, 0);
-    seen.insert(record.interface);
-    can::CanSender* const bus = targets.of(record.interface);
-    if (record.frame.error || bus == nullptr) {  // an error frame is made by a controller, not by a sender
+  for (; const log::CanRecord* record = entries.front(*reader); entries.pop()) {
+    seen.insert(record->interface);
+    can::CanSender* const bus = targets.of(record->interface);
+    if (record->frame.error || bus == nullptr) {  // an error frame is made by a controller, not by a sender
       ++skips.unwritable;
       continue;
     }
-    clock.wait_for(due_ns);
-    if (!bus->send(record.frame)) ++skips.refused;
+    clock.wait_for(entries.time_ns());
+    if (!bus->send(record->frame)) ++skips.refused;
     clock.sent();
   }
   require_sent(file, clock, seen);
   skips.waits = targets.waits();
   report(o, clock, skips);
-  print_notes(o, times);
+  print_notes(o, entries.clock());
 }
 
 void replay_modbus(const Options& o) {
   const log::LogFile file(o.log.log);
   log::ModbusCapture capture(file);
   modbus::ModbusWriter device(o.modbus);
-  log::LogClock times(o.log.longest_gap_s());
+  log::PlacedEntries<log::ModbusCapture, log::TimedExchange> entries(o.log.longest_gap_s());
   log::ReplayClock clock(o.speed);
-  log::TimedExchange entry, ahead;
   Skips skips;
-  for (bool more = capture.next(ahead); more;) {
-    entry = ahead;
-    more = capture.next(ahead);
-    const auto next_ns = more ? std::optional<std::int64_t>(ahead.time_ns) : std::nullopt;
-    const std::int64_t due_ns = times.place(entry.time_ns, next_ns, 0);
-    const modbus::Table table = entry.exchange.table;
+  for (; const log::TimedExchange* entry = entries.front(capture); entries.pop()) {
+    const modbus::Table table = entry->exchange.table;
     if (table != modbus::Table::kHolding && table != modbus::Table::kCoil) {
       ++skips.unwritable;
       continue;
     }
-    clock.wait_for(due_ns);
-    if (!device.write(entry.exchange)) ++skips.refused;
+    clock.wait_for(entries.time_ns());
+    if (!device.write(entry->exchange)) ++skips.refused;
     clock.sent();
   }
   require_sent(file, clock, {});
   report(o, clock, skips);
-  print_notes(o, times);
+  print_notes(o, entries.clock());
 }
 
 void replay_udp(const Options& o) {
   const log::LogFile file(o.log.log);
   log::UdpCapture capture(file, {});
   const udp::UdpSender device(o.udp);
-  log::LogClock times(o.log.longest_gap_s());
+  log::PlacedEntries<log::UdpCapture, log::TimedDatagram> entries(o.log.longest_gap_s());
   log::ReplayClock clock(o.speed);
-  log::TimedDatagram entry, ahead;
   Skips skips;
-  for (bool more = capture.next(ahead); more;) {
-    entry = ahead;
-    more = capture.next(ahead);
-    const auto next_ns = more ? std::optional<std::int64_t>(ahead.time_ns) : std::nullopt;
-    clock.wait_for(times.place(entry.time_ns, next_ns, 0));
-    if (!device.send(entry.text)) ++skips.refused;
+  for (; const log::TimedDatagram* entry = entries.front(capture); entries.pop()) {
+    clock.wait_for(entries.time_ns());
+    if (!device.send(entry->text)) ++skips.refused;
     clock.sent();
   }
   require_sent(file, clock, {});
   report(o, clock, skips);
-  print_notes(o, times);
+  print_notes(o, entries.clock());
 }
 
 void replay(const Options& o) {

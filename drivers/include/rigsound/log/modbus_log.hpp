@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "rigsound/log/bus_log.hpp"
-#include "rigsound/log/log_clock.hpp"
 #include "rigsound/log/modbus_capture.hpp"
+#include "rigsound/log/placed_entries.hpp"
 
 namespace rigsound::log {
 
@@ -30,18 +30,14 @@ class ModbusLog : public BusLog {
   void survey();
   void choose_servers(const std::vector<std::string>& servers);
   void read_for(std::size_t bus, const TimedExchange& entry, double time_s, std::vector<Reading>& out) const;
-  void fetch();
 
   LogFile file_;
   std::vector<modbus::ModbusOptions> buses_;
   std::vector<std::optional<std::string>> server_;  // of each bus, as text_of(); nothing: any
   std::unique_ptr<ModbusCapture> capture_;
-  LogClock clock_;
-  std::optional<TimedExchange> pending_, ahead_;
-  double time_s_ = 0;  // of pending_
+  PlacedEntries<ModbusCapture, TimedExchange> entries_;
   std::uint64_t used_ = 0;
   std::vector<LogNote> notes_;  // of the survey
-  bool started_ = false;
 };
 
 }  // namespace rigsound::log

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "rigsound/log/bus_log.hpp"
-#include "rigsound/log/log_clock.hpp"
+#include "rigsound/log/placed_entries.hpp"
 #include "rigsound/log/udp_capture.hpp"
 #include "rigsound/udp/datagram_reader.hpp"
 
@@ -33,17 +33,13 @@ class UdpLog : public BusLog {
   std::optional<udp::DatagramContent> read(const TimedDatagram& datagram, double time_s,
                                            std::string& problem);
   void survey(const std::vector<udp::UdpOptions>& inputs);
-  void fetch();
 
   LogFile file_;
   std::map<int, Input> inputs_;  // by port; 0: any
   std::optional<UdpCapture> capture_;
-  LogClock clock_;
-  std::optional<TimedDatagram> pending_, ahead_;
-  double time_s_ = 0;  // of pending_
+  PlacedEntries<UdpCapture, TimedDatagram> entries_;
   std::uint64_t seen_ = 0, used_ = 0, bad_ = 0, late_ = 0, unknown_ = 0;
   std::string first_unknown_;
-  bool started_ = false;
 };
 
 }  // namespace rigsound::log
