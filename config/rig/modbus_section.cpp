@@ -12,8 +12,6 @@ namespace {
 
 using namespace modbus;
 
-constexpr int kDefaultPort = 502;
-
 constexpr Range kBits{0, 31};
 
 bool is_float(WordType type) { return type == WordType::kFloat32 || type == WordType::kFloat64; }
@@ -92,7 +90,7 @@ void refuse_serial_keys(const TomlTable& table) {
 }
 
 void take_host(const TomlTable& table, ModbusOptions& options) {
-  const auto where = parse_host_port(options.address, kDefaultPort);
+  const auto where = parse_host_port(options.address, kPort);
   if (!where)
     table.fail("address", "\"" + options.address + "\" is no address, expected HOST:PORT or [V6]:PORT");
   options.host = where->host;

@@ -14,8 +14,6 @@
 namespace rigsound::log {
 namespace {
 
-constexpr std::uint16_t kModbusPort = 502;
-
 HostPort address_of(const Endpoint& end) {
   std::array<char, INET6_ADDRSTRLEN> text{};
   ::inet_ntop(end.v6 ? AF_INET6 : AF_INET, end.address.data(), text.data(), text.size());
@@ -49,7 +47,7 @@ class ModbusCapture::Streams {
     if (servers_.count({p.from, p.to}) != 0) return true;
     if (servers_.count({p.to, p.from}) != 0) return false;
     if (is_known(p.to.port) != is_known(p.from.port)) return is_known(p.to.port);
-    if (p.to.port == kModbusPort || p.from.port == kModbusPort) return p.to.port == kModbusPort;
+    if (p.to.port == modbus::kPort || p.from.port == modbus::kPort) return p.to.port == modbus::kPort;
     return p.to.port < p.from.port;
   }
 

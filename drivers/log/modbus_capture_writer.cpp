@@ -14,14 +14,12 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr int kModbusPort = 502;
-
 std::uint8_t high(std::size_t word) { return static_cast<std::uint8_t>(word >> 8 & 0xff); }
 std::uint8_t low(std::size_t word) { return static_cast<std::uint8_t>(word & 0xff); }
 
 MadeUpEnd end_of(const HostPort& server) {
   in_addr address{};
-  MadeUpEnd end{MadeUpEnd().address, server.port > 0 ? server.port : kModbusPort};
+  MadeUpEnd end{MadeUpEnd().address, server.port > 0 ? server.port : modbus::kPort};
   const bool literal = ::inet_pton(AF_INET, server.host.c_str(), &address) == 1;
   if (literal && address.s_addr != INADDR_ANY) end.address = ntohl(address.s_addr);
   return end;

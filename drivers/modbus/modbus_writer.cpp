@@ -9,10 +9,8 @@
 namespace rigsound::modbus {
 namespace {
 
-constexpr int kDefaultPort = 502;
-
 ModbusOptions options_of(const std::string& address) {
-  const auto where = parse_host_port(address, kDefaultPort);
+  const auto where = parse_host_port(address, kPort);
   if (!where) throw DeviceError("modbus " + address + ": is no address, expected HOST:PORT or [V6]:PORT");
   ModbusOptions options;
   options.address = address;

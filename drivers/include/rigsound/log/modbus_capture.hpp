@@ -21,7 +21,7 @@ struct TimedExchange {
 
 /// A port that a rig knows a server at.
 struct ServerPort {
-  int port = 502;
+  int port = modbus::kPort;
   bool rtu_frames = false;  ///< RTU over TCP
 };
 

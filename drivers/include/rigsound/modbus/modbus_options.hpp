@@ -11,6 +11,8 @@
 
 namespace rigsound::modbus {
 
+constexpr int kPort = 502;  ///< where a Modbus/TCP server listens unless it is told otherwise
+
 enum class Role : std::uint8_t { kServer, kClient };
 enum class Transport : std::uint8_t { kTcp, kRtu, kRtuTcp };  ///< kRtuTcp: RTU frames over TCP
 enum class Table : std::uint8_t { kHolding, kInput, kCoil, kDiscrete };
