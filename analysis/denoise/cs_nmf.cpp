@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kSecondsPerKnot = 2;
 constexpr int kBackgroundIterations = 30;
-constexpr float kWordFloor = 1e-10f;
 
 int noise_knots(int frames) {
   const double seconds = frames * kChainStft.hop / kAnalysisRate;

@@ -10,6 +10,9 @@ namespace rigsound::analysis {
 /// 0.9 of the bin's mean (before `start`). Thread: OFF.
 Eigen::ArrayXf noise_level(const PowerSpectrogram& power, float start);
 
+/// No entry of a word is fitted below this: an exact zero could never rise again.
+constexpr float kWordFloor = 1e-10f;
+
 /// `knots` hat functions that sum to 1 over `frames` (a slow noise's course in time), padded with zeros
 /// to `padded` columns. Thread: OFF.
 Grid hats(int knots, int frames, int padded);

@@ -7,7 +7,7 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr float kActivationFloor = 1e-8f, kWordFloor = 1e-10f;
+constexpr float kActivationFloor = 1e-8f;
 
 class Uniform {
  public:
