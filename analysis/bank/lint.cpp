@@ -53,10 +53,10 @@ void check_triple(const AnalysedPart& a, AnalysedPart& b, const AnalysedPart& c,
                     gain_text(0.5 * (x.level_db + z.level_db) - y.level_db)));
 }
 
-using Series = std::multimap<double, AnalysedPart*>;
+using PartsByPlace = std::multimap<double, AnalysedPart*>;
 
 /// Of the banks [first, last) at one place of a series the one recorded at the feed nearest to that of `b`.
-const AnalysedPart& nearest_in_feed(Series::const_iterator first, Series::const_iterator last,
+const AnalysedPart& nearest_in_feed(PartsByPlace::const_iterator first, PartsByPlace::const_iterator last,
                                     const AnalysedPart& b) {
   const auto apart = [&b](const auto& entry) {
     return std::fabs(entry.second->part.label.feed_bar - b.part.label.feed_bar);
@@ -67,7 +67,7 @@ const AnalysedPart& nearest_in_feed(Series::const_iterator first, Series::const_
 }
 
 /// Every bank between two that stand at other places of the series.
-void check_order(const Series& series, std::string (*place)(const AnalysedPart&), const char* doubt) {
+void check_order(const PartsByPlace& series, std::string (*place)(const AnalysedPart&), const char* doubt) {
   for (auto b = series.begin(); b != series.end(); ++b) {
     const auto first = series.lower_bound(b->first), after = series.upper_bound(b->first);
     if (first == series.begin() || after == series.end()) continue;
@@ -106,7 +106,7 @@ void check_levels(const std::vector<AnalysedPart*>& series) {
 
 /// The drilling banks of one rod count and rock.
 void check_feed_series(const std::vector<AnalysedPart*>& drilling) {
-  Series over_feed, normal;
+  PartsByPlace over_feed, normal;
   for (AnalysedPart* p : drilling) {
     if (p->part.label.feed_bar > 0) over_feed.emplace(p->part.label.feed_bar, p);
     if (p->part.label.situation == Situation::kNormal) normal.emplace(0, p);
@@ -143,7 +143,7 @@ std::vector<std::string> lint_bank(const AnalysedPart& part, int wanted_clicks) 
 }
 
 void lint_series(std::vector<AnalysedPart>& parts) {
-  std::map<std::pair<Situation, std::string>, Series> over_rods;
+  std::map<std::pair<Situation, std::string>, PartsByPlace> over_rods;
   std::map<std::pair<int, std::string>, std::vector<AnalysedPart*>> drilling;
   for (AnalysedPart& p : parts) {
     const Label& label = p.part.label;

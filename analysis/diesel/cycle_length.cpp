@@ -8,8 +8,8 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr int kAngles = 512;          // a cycle: as fine as the crank tracker's template
-constexpr double kHighest_hz = 1500;  // and as high
+constexpr int kAngles = 512;               // a cycle: as fine as the crank tracker's template
+constexpr double kHighestOrder_hz = 1500;  // and as high
 
 /// Power of orders first, first + step, ... and what chance leaves of it.
 struct Power {
@@ -29,7 +29,7 @@ Power power_of(const Orders& orders, std::size_t first, std::size_t step) {
 Alternation alternation_of(const Section& section) {
   CycleBlock block = cycles_of(section, section.x, 0, kAngles);
   block.open.clear();  // impacts are not locked to the crank: they are noise, which gates would hide
-  const int last = std::min(kAngles / 4, static_cast<int>(kHighest_hz / section.f0()));
+  const int last = std::min(kAngles / 4, static_cast<int>(kHighestOrder_hz / section.f0()));
   const Orders one = orders_of(block, 0, block.cycles, last);
   block.N *= 2, block.cycles /= 2;
   const Orders two = orders_of(block, 0, block.cycles, 2 * last);

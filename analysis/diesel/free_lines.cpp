@@ -17,12 +17,12 @@ using Signal = std::vector<double>;
 using Complex = std::complex<double>;
 
 constexpr int kPredictor = 4, kFewestFrames = 60;
-constexpr double kClear = 2;       // 3 dB, for the prediction and for the peak
-constexpr double kLowest_hz = 30;  // the crank tracker's band begins here
-constexpr double kFlutter = 0.08;  // orders: this near to one, its own unsteadiness is found
-constexpr double kSame = 0.0012;   // two cents
-constexpr double kAsSharp = 0.9;   // of the sharpness over time, to count as locked
-constexpr double kBlock_s = 1;     // in which level and phase of a line are measured
+constexpr double kClear = 2;           // 3 dB, for the prediction and for the peak
+constexpr double kLowestLine_hz = 30;  // the crank tracker's band begins here
+constexpr double kFlutter = 0.08;      // orders: this near to one, its own unsteadiness is found
+constexpr double kSame = 0.0012;       // two cents
+constexpr double kAsSharp = 0.9;       // of the sharpness over time, to count as locked
+constexpr double kBlock_s = 1;         // in which level and phase of a line are measured
 
 /// The residual over time or over crank angle, cut into M channels.
 struct View {
@@ -191,9 +191,9 @@ std::vector<Candidate> candidates_of(const SectionResidual& residual, std::size_
   const View time{*residual.x, kAnalysisRate, M, 1 / f0};
   const View angle{cycles_of(s, *residual.x, 0, N).y, static_cast<double>(N), N, 1};
   std::vector<Candidate> found;
-  for (const Peak& p : peaks_of(angle, kLowest_hz / f0, highest / f0))
+  for (const Peak& p : peaks_of(angle, kLowestLine_hz / f0, highest / f0))
     found.push_back({section, p.frequency, p.frequency * f0, p.sharpness, 0, true});
-  for (const Peak& p : peaks_of(time, kLowest_hz, highest)) {
+  for (const Peak& p : peaks_of(time, kLowestLine_hz, highest)) {
     const double order = p.frequency / f0;
     const auto other = std::find_if(found.begin(), found.end(), [&](const Candidate& c) {
       return c.locked && std::fabs(c.order - order) < kFlutter;

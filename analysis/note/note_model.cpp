@@ -20,7 +20,7 @@ namespace {
 constexpr int kScales = 4, kScalesKept = 3;
 constexpr int kEnergyWindow = 20;  // coefficients (section 5)
 constexpr int kFirstOrder = 10;    // of the AR filters, in the second subband (section 5)
-constexpr double kHighest_hz = 10000;
+constexpr double kHighestHarmonic_hz = 10000;
 constexpr double kBandwidth = 0.92;
 
 /// Rows of one scale whose filters see nothing but frames first ... last - 1.
@@ -202,8 +202,9 @@ void set_figures(const std::vector<double>& sound, const std::vector<double>& y,
     return std::vector<double>(x.begin() + static_cast<std::ptrdiff_t>(part.from),
                                x.begin() + static_cast<std::ptrdiff_t>(part.to));
   };
-  const HarmonicError error = harmonic_error(
-      steady(sound), steady(y), model.P, std::min(model.P / 2 - 1, static_cast<int>(kHighest_hz / model.f0)));
+  const HarmonicError error =
+      harmonic_error(steady(sound), steady(y), model.P,
+                     std::min(model.P / 2 - 1, static_cast<int>(kHighestHarmonic_hz / model.f0)));
   model.at_db = error.at_db, model.near_db = error.near_db, model.between_db = error.between_db;
 }
 

@@ -14,7 +14,7 @@ namespace rigsound::analysis {
 namespace {
 
 constexpr std::size_t kHop = 240, kFrame = 2400, kFft = 8192;
-constexpr double kLowest_hz = 60, kHighest_hz = 1500;
+constexpr double kLowestPitch_hz = 60, kHighestPitch_hz = 1500;
 constexpr double kPeriodic = 0.85, kSteady = 0.03, kShortest_s = 0.3;
 constexpr double kRisen = 0.25, kAudible = 0.02;  // of the loudest energy: before is attack, below is decay
 constexpr double kPhaseBand_hz = 25;  // vibrato is inside, the neighbouring harmonics are far outside
@@ -35,8 +35,8 @@ Frame frame_pitch(const std::vector<double>& x, std::size_t at, const dsp::Fft<d
   fft.forward(re.data(), im.data());
   for (std::size_t i = 0; i < kFft; ++i) re[i] = re[i] * re[i] + im[i] * im[i], im[i] = 0;
   fft.inverse(re.data(), im.data());
-  const auto low = static_cast<std::size_t>(kAnalysisRate / kHighest_hz);
-  const auto high = static_cast<std::size_t>(kAnalysisRate / kLowest_hz);
+  const auto low = static_cast<std::size_t>(kAnalysisRate / kHighestPitch_hz);
+  const auto high = static_cast<std::size_t>(kAnalysisRate / kLowestPitch_hz);
   std::vector<double> r(high + 2, 0.0);
   double best = 0;
   for (std::size_t lag = low - 1; lag < r.size(); ++lag) {

@@ -12,7 +12,7 @@ namespace rigsound::analysis {
 namespace {
 
 constexpr int kOrders = 180;
-constexpr std::size_t kSettle = 4096;  // samples the hydraulic filter runs in
+constexpr std::size_t kHydraulicSettle = 4096;  // samples the hydraulic filter runs in
 
 using Phasor = std::complex<double>;
 
@@ -82,9 +82,9 @@ std::vector<double> hydraulics(std::size_t frames, SplitMix& stream, SplitMix& n
                  q = stream.log_uniform(2, 6);
     colour.push_back(peaking(f, gain_db, q));
   }
-  std::vector<double> x = noise.normals(frames + kSettle);
+  std::vector<double> x = noise.normals(frames + kHydraulicSettle);
   filter(colour, x);
-  x.erase(x.begin(), x.begin() + kSettle);
+  x.erase(x.begin(), x.begin() + kHydraulicSettle);
   normalise(x);
   const double swell_hz = stream.uniform(.15, .35), swell_phase = dsp::kTwoPi * stream.uniform();
   for (std::size_t n = 0; n < frames; ++n) {

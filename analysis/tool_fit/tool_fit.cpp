@@ -30,7 +30,7 @@ enum Parameter : std::size_t {
   kLossL,
   kShelfL,
   kBalance,
-  kWidth,
+  kStrikeWidth,
   kHighpass,
   kContact,
   kCount
@@ -64,7 +64,7 @@ void set(ToolModel& model, const std::vector<double>& u) {
   model.voicing.transversal_mix = 1 / (1 + ratio);
   model.voicing.longitudinal_mix = ratio / (1 + ratio);
   model.voicing.highpass_hz = std::exp(u[kHighpass]);
-  model.strike.width_s = std::exp(u[kWidth]);
+  model.strike.width_s = std::exp(u[kStrikeWidth]);
 }
 
 /// Puts the model's decays into loops that were designed before: a few cents off, but a thousand times

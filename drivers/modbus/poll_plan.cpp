@@ -8,8 +8,8 @@
 namespace rigsound::modbus {
 namespace {
 
-constexpr int kLongest = 125;  // registers a read (Modbus application protocol 6.3); bits could be more
-constexpr int kGap = 8;        // reading so many unused registers costs less than another request
+constexpr int kLongestRead = 125;  // registers a read (Modbus application protocol 6.3); bits could be more
+constexpr int kGap = 8;            // reading so many unused registers costs less than another request
 
 /// Values at most `gap` apart share a request; with a negative gap only those that overlap.
 std::vector<PollRequest> plan_with(std::vector<RegisterRoute> sorted, int gap) {
@@ -22,7 +22,7 @@ std::vector<PollRequest> plan_with(std::vector<RegisterRoute> sorted, int gap) {
     if (!plan.empty() && plan.back().table == route.table) {
       PollRequest& last = plan.back();
       const bool near = route.address - (last.address + last.count) <= gap;
-      if (near && end - last.address <= kLongest) {
+      if (near && end - last.address <= kLongestRead) {
         last.count = std::max(last.count, end - last.address);
         continue;
       }

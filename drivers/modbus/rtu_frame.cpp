@@ -3,12 +3,12 @@
 namespace rigsound::modbus {
 namespace {
 
-constexpr std::size_t kLongest = 256;
+constexpr std::size_t kLongestFrame = 256;
 
 /// A frame of `fixed` bytes of PDU whose byte `count_at` counts those that follow.
 std::size_t counted(std::size_t fixed, std::size_t count_at, const std::uint8_t* bytes, std::size_t size) {
   const std::size_t frame = size > count_at ? kRtuEnds + fixed + bytes[count_at] : 0;
-  return frame <= kLongest ? frame : kLongest + 1;
+  return frame <= kLongestFrame ? frame : kLongestFrame + 1;
 }
 
 std::optional<std::size_t> request_size(const std::uint8_t* bytes, std::size_t size) {
@@ -67,7 +67,7 @@ std::uint16_t rtu_checksum(const std::uint8_t* bytes, std::size_t size) {
 std::optional<std::size_t> rtu_frame_size(RtuSide side, const std::uint8_t* bytes, std::size_t size) {
   if (size < 2) return 0;
   const auto frame = side == RtuSide::kRequest ? request_size(bytes, size) : answer_size(bytes, size);
-  return frame && *frame > kLongest ? std::nullopt : frame;
+  return frame && *frame > kLongestFrame ? std::nullopt : frame;
 }
 
 }  // namespace rigsound::modbus

@@ -95,12 +95,12 @@ void print_feed_reach(const config::Rig& rig, const SoundSet& sounds) {
                limits_text(reach, [&](double bar) { return bar >= reach.highest_bar; }));
 }
 
-struct Options {
+struct CheckArguments {
   std::string rig;
   bool probe = false;
 };
 
-void check(const Options& options) {
+void check(const CheckArguments& options) {
   config::Rig rig = config::load_rig(options.rig);
   SoundSet sounds = config::load_sounds(rig);
   std::size_t clicks = 0;
@@ -130,7 +130,7 @@ void check(const Options& options) {
 
 void add_check(cli::Verb& program) {
   cli::Verb verb = program.verb("check", "Validate everything the daemon would load").group(kInspect);
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CheckArguments>();
   verb.positional("RIG.toml", options->rig, "the rig").required();
   verb.flag("--probe", options->probe,
             "also read every Modbus register once: live values, 32 bit ones in all four word orders");

@@ -20,7 +20,7 @@ namespace {
 
 using namespace analysis;
 
-struct Options {
+struct ContrastArguments {
   std::string rig, report, boom;
   double engine_rpm = 1800;
   bool json = false;
@@ -38,7 +38,7 @@ std::size_t boom_of(const config::Rig& rig, const std::string& wanted) {
   throw cli::UsageError("--boom", "is " + wanted + ", expected " + names);
 }
 
-void contrast(const Options& o) {
+void contrast(const ContrastArguments& o) {
   const config::Rig rig = config::load_rig(o.rig);
   const std::size_t boom = boom_of(rig, o.boom);
   std::error_code missing;
@@ -67,7 +67,7 @@ void add_contrast(cli::Verb& program) {
   cli::Verb verb =
       program.verb("contrast", "Tell whether the situations can be told apart, and from which feed on")
           .group(kInspect);
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<ContrastArguments>();
   ContrastOptions& c = o->contrast;
   c.jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   verb.positional("RIG.toml", o->rig, "the rig, whose sound set and thresholds are meant").required();

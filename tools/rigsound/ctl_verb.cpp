@@ -19,7 +19,7 @@
 namespace rigsound::tools {
 namespace {
 
-struct Options {
+struct CtlArguments {
   std::string socket = "/run/rigsound/control.sock";
   bool json = false;
   std::string key, value;
@@ -27,11 +27,9 @@ struct Options {
   std::string mute;
 };
 
-void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
-
-void status(const Options& o) {
+void status(const CtlArguments& o) {
   const Json answer = ControlClient(o.socket).ask({{"command", "status"}});
-  print(o.json ? answer.dump() + "\n" : status_text(answer));
+  fmt::print("{}", o.json ? answer.dump() + "\n" : status_text(answer));
 }
 
 /// Overwrites the view before instead of clearing it first, which would flicker.
@@ -71,35 +69,35 @@ class Watched {
 
 // Ends by Ctrl-C; on a terminal each view replaces the one before, elsewhere a view like the last is not
 // repeated.
-void watch(const Options& o) {
+void watch(const CtlArguments& o) {
   Watched watched(o.socket);
   std::string last;
   for (;;) {
     const std::optional<Screen> screen = terminal();
     const std::string text = watched.text(screen.value_or(Screen{100, 0}));
     if (screen)
-      print(in_place(text + "\n"));
+      fmt::print("{}", in_place(text + "\n"));
     else if (text != last)
-      print(text + "\n");
+      fmt::print("{}\n", text);
     last = text;
     std::fflush(stdout);
     std::this_thread::sleep_for(std::chrono::duration<double>(o.seconds));
   }
 }
 
-void set_value(const Options& o) {
+void set_value(const CtlArguments& o) {
   Json request = {{"command", "set"}, {"key", o.key}, {"value", o.value}};
   if (cli::number_fault(o.value).empty()) request["value"] = cli::number_of(o.value);
   const Json answer = ControlClient(o.socket).ask(request);
   for (const Json& set : answer["set"])
-    print(fmt::format("{} {}{}\n", set["name"].get<std::string>(), o.value,
-                      set["manual"].get<bool>() ? ", by hand until `rigsound ctl release`" : ""));
+    fmt::print("{} {}{}\n", set["name"].get<std::string>(), o.value,
+               set["manual"].get<bool>() ? ", by hand until `rigsound ctl release`" : "");
 }
 
-void release_value(const Options& o) {
+void release_value(const CtlArguments& o) {
   const Json answer = ControlClient(o.socket).ask({{"command", "release"}, {"key", o.key}});
-  for (const Json& name : answer["released"]) print("released " + name.get<std::string>() + "\n");
-  if (answer["released"].empty()) print("nothing to release\n");
+  for (const Json& name : answer["released"]) fmt::print("released {}\n", name.get<std::string>());
+  if (answer["released"].empty()) fmt::print("nothing to release\n");
 }
 
 /// What may be set, a line each: `NAME RANGE: MEANING`.
@@ -120,28 +118,28 @@ std::string settable() {
   return text;
 }
 
-void reload(const Options& o) {
+void reload(const CtlArguments& o) {
   const Json answer = ControlClient(o.socket).ask({{"command", "reload"}});
-  print("reloaded\n");
+  fmt::print("reloaded\n");
   for (const Json& key : answer["not_applied"])
     std::fprintf(stderr, "needs a restart: %s\n", key.get<std::string>().c_str());
 }
 
-void mute(const Options& o) {
+void mute(const CtlArguments& o) {
   Json request = {{"command", "mute"}};
   if (!o.mute.empty()) request["on"] = o.mute == "on";
   const Json answer = ControlClient(o.socket).ask(request);
-  print(answer["muted"].get<bool>() ? "muted\n" : "unmuted\n");
+  fmt::print("{}", answer["muted"].get<bool>() ? "muted\n" : "unmuted\n");
 }
 
-void metrics(const Options& o) {
-  print(ControlClient(o.socket).ask({{"command", "metrics"}})["text"].get<std::string>());
+void metrics(const CtlArguments& o) {
+  fmt::print("{}", ControlClient(o.socket).ask({{"command", "metrics"}})["text"].get<std::string>());
 }
 
-using Shared = std::shared_ptr<Options>;
+using Shared = std::shared_ptr<CtlArguments>;
 
 cli::Verb add(cli::Verb& ctl, const Shared& options, const char* name, const char* summary,
-              void (*run)(const Options&)) {
+              void (*run)(const CtlArguments&)) {
   cli::Verb command = ctl.verb(name, summary);
   command.callback([run, options] { run(*options); });
   return command;
@@ -183,7 +181,7 @@ void add_settings(cli::Verb& ctl, const Shared& o) {
 
 void add_ctl(cli::Verb& program) {
   cli::Verb ctl = program.verb("ctl", "Talk to the running daemon").group(kRun).options_anywhere();
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CtlArguments>();
   ctl.option("--socket", options->socket, "the rig's [control] socket").shows_default();
   add_views(ctl, options);
   add_settings(ctl, options);

@@ -15,7 +15,7 @@
 namespace rigsound::tools {
 namespace {
 
-struct Options {
+struct DecodeArguments {
   std::string rig, session;
   LogArguments log;
 };
@@ -67,21 +67,19 @@ class LogRows {
   std::array<bool, kMaxBooms> told_{};
 };
 
-void print(const std::string& csv) { std::fwrite(csv.data(), 1, csv.size(), stdout); }
-
-void decode_log(const Options& options) {
+void decode_log(const DecodeArguments& options) {
   const config::Rig rig = config::load_rig(options.rig);
   const std::unique_ptr<log::BusLog> log =
       log::open_log(options.log.log, config::buses_of(rig), log_options(options.log));
   LogRows rows(rig);  // printed whole or not at all
   const SignalBoard board = log::trace_changes(*log, rig.safety, watched(rig),
                                                [&](const log::Change& change) { rows.add(change); });
-  print(rows.finish());
+  fmt::print("{}", rows.finish());
   print_log_notes(options.log.log, *log);
   print_refused_values(rig, board);
 }
 
-void decode_session(const Options& options) {
+void decode_session(const DecodeArguments& options) {
   const config::Rig rig = config::load_rig(options.rig, config::Buses::kLeftOut);
   const session::SessionStates states(options.session);
   const session::SessionHeader& header = states.header();
@@ -89,7 +87,7 @@ void decode_session(const Options& options) {
   StateCsv csv(rig);
   for (const session::SessionStates::Change& change : states.changes())
     csv.add_state(static_cast<double>(change.block) * block_s, change.state);
-  print(csv.text());
+  fmt::print("{}", csv.text());
   fmt::print(stderr, "{}: {:.1f} s, played by rigsound {} at {:g} Hz in blocks of {} frames, seed {}\n",
              options.session, static_cast<double>(states.blocks()) * block_s, header.program,
              header.sample_rate, header.block, header.seed);
@@ -100,7 +98,7 @@ void decode_session(const Options& options) {
 void add_decode(cli::Verb& program) {
   cli::Verb verb =
       program.verb("decode", "Print what a recorded bus or a session tells the engine").group(kInspect);
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DecodeArguments>();
   verb.positional("RIG.toml", options->rig, "the rig; a bus and its signals are enough").required();
   cli::Verb source = verb.exactly_one("Source");
   source.option("--log", options->log.log, kLogHelp);

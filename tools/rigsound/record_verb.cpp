@@ -14,7 +14,7 @@
 namespace rigsound::tools {
 namespace {
 
-struct Options {
+struct RecordArguments {
   std::string rig, out;
   double seconds = 0;
 };
@@ -45,7 +45,7 @@ std::vector<std::unique_ptr<BusRecorder>> start(const config::Rig& rig, const st
   return recorders;
 }
 
-void record(const Options& o) {
+void record(const RecordArguments& o) {
   const config::Rig rig = config::load_rig(o.rig);
   const FileDescriptor signals = ending_signals();
   const auto recorders = start(rig, o.out);
@@ -64,7 +64,7 @@ void record(const Options& o) {
 
 void add_record(cli::Verb& program) {
   cli::Verb verb = program.verb("record", "Record the buses of a rig").group(kRun);
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RecordArguments>();
   verb.positional("RIG.toml", options->rig, "the rig whose buses are meant").required();
   verb.option("--out", options->out, "file to write").required();
   verb.option("--seconds", options->seconds, "end after so long; left out: on Ctrl-C").at_least(0.001);

@@ -22,7 +22,7 @@
 namespace rigsound::tools {
 namespace {
 
-struct Options {
+struct RenderArguments {
   std::string rig, session, states, out;
   LogArguments log;
   std::optional<std::uint64_t> seed;
@@ -32,7 +32,7 @@ struct Options {
 
 /// Renders the source, from its beginning on, and prints the figures; --from and --to choose what OUT holds.
 void render(config::Rig& rig, audio::StateSource& states, audio::SampleFormat samples,
-            const Options& options) {
+            const RenderArguments& options) {
   SoundSet sounds = config::load_sounds(rig);
   const bool built_in_diesel = sounds.diesels.front().name == kDefaultDiesel;
   Engine engine = config::build_engine(rig, std::move(sounds));
@@ -62,19 +62,19 @@ void render(config::Rig& rig, audio::StateSource& states, audio::SampleFormat sa
                rig.sound_set.string());
 }
 
-config::Rig rig_of(const Options& options, config::Buses buses) {
+config::Rig rig_of(const RenderArguments& options, config::Buses buses) {
   config::Rig rig = config::load_rig(options.rig, buses);
   if (options.seed) rig.engine.seed = *options.seed;
   return rig;
 }
 
-void render_states(const Options& options) {
+void render_states(const RenderArguments& options) {
   config::Rig rig = rig_of(options, config::Buses::kLeftOut);
   session::TableStates states(options.states, rig.engine);
   render(rig, states, audio::SampleFormat::kFloat, options);
 }
 
-void render_log(const Options& options) {
+void render_log(const RenderArguments& options) {
   config::Rig rig = rig_of(options, config::Buses::kRead);
   const std::unique_ptr<log::BusLog> log =
       log::open_log(options.log.log, config::buses_of(rig), log_options(options.log));
@@ -85,7 +85,7 @@ void render_log(const Options& options) {
 }
 
 /// What the session was rendered with counts; the rest must be what it was. Buses are not asked any more.
-void render_session(const Options& options) {
+void render_session(const RenderArguments& options) {
   config::Rig rig = config::load_rig(options.rig, config::Buses::kLeftOut);
   session::SessionStates states(options.session);
   const session::SessionHeader& header = states.header();
@@ -108,7 +108,7 @@ void render_session(const Options& options) {
 void add_render(cli::Verb& program) {
   cli::Verb verb =
       program.verb("render", "Render a recorded bus offline: the same input gives the same bits").group(kRun);
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderArguments>();
   verb.positional("RIG.toml", options->rig, "the rig").required();
   cli::Verb source = verb.exactly_one("Source");
   source.option("--log", options->log.log, kLogHelp);

@@ -22,7 +22,7 @@
 namespace rigsound::tools {
 namespace {
 
-struct Options {
+struct ReplayArguments {
   LogArguments log;
   std::string modbus, udp;
   double speed = 1;
@@ -35,7 +35,7 @@ struct Skips {
   std::uint64_t waits = 0;       ///< for a full queue
 };
 
-void report(const Options& o, const log::ReplayClock& clock, const Skips& skips) {
+void report(const ReplayArguments& o, const log::ReplayClock& clock, const Skips& skips) {
   const nlohmann::ordered_json json = {{"sent", clock.entries()},
                                        {"late_mean_ms", clock.mean_late_s() * 1e3},
                                        {"late_worst_ms", clock.worst_late_s() * 1e3},
@@ -84,7 +84,7 @@ class CanTargets {
   can::CanSender* all_ = nullptr;
 };
 
-void print_notes(const Options& o, const log::LogClock& times) {
+void print_notes(const ReplayArguments& o, const log::LogClock& times) {
   for (const log::LogNote& note : times.notes()) fmt::print(stderr, "{}: {}\n", o.log.log, note.text);
 }
 
@@ -97,7 +97,7 @@ void require_sent(const log::LogFile& file, const log::ReplayClock& clock,
                                              : "has frames of " + names + " only, expected those of --can");
 }
 
-void replay_can(const Options& o) {
+void replay_can(const ReplayArguments& o) {
   const log::LogFile file(o.log.log);
   const auto reader = log::open_can_reader(file);
   CanTargets targets(o.log.can);
@@ -122,7 +122,7 @@ void replay_can(const Options& o) {
   print_notes(o, entries.clock());
 }
 
-void replay_modbus(const Options& o) {
+void replay_modbus(const ReplayArguments& o) {
   const log::LogFile file(o.log.log);
   log::ModbusCapture capture(file);
   modbus::ModbusWriter device(o.modbus);
@@ -144,7 +144,7 @@ void replay_modbus(const Options& o) {
   print_notes(o, entries.clock());
 }
 
-void replay_udp(const Options& o) {
+void replay_udp(const ReplayArguments& o) {
   const log::LogFile file(o.log.log);
   log::UdpCapture capture(file, {});
   const udp::UdpSender device(o.udp);
@@ -161,7 +161,7 @@ void replay_udp(const Options& o) {
   print_notes(o, entries.clock());
 }
 
-void replay(const Options& o) {
+void replay(const ReplayArguments& o) {
   if (!o.udp.empty()) return replay_udp(o);
   o.log.can.empty() ? replay_modbus(o) : replay_can(o);
 }
@@ -170,7 +170,7 @@ void replay(const Options& o) {
 
 void add_replay(cli::Verb& program) {
   cli::Verb verb = program.verb("replay", "Play a bus log onto a bus, at its own pace").group(kRun);
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReplayArguments>();
   verb.positional("BUS.log", options->log.log, kLogHelp).required();
   cli::Verb target = verb.exactly_one("Target");
   target

@@ -13,14 +13,14 @@
 namespace rigsound::tools {
 namespace {
 
-struct Options {
+struct TimelineArguments {
   std::string picture, sound, states, rig;
   double underfeed_bar = SceneOptions().underfeed_bar, overfeed_bar = SceneOptions().overfeed_bar;
   std::optional<cli::Option> underfeed, overfeed;
   analysis::TimelineOptions timeline;
 };
 
-void draw(Options o) {
+void draw(TimelineArguments o) {
   if (std::filesystem::path(o.picture).extension() != ".png")
     throw cli::UsageError("OUT.png",
                           "'" + o.picture + "' is no name for a PNG, expected one that ends in .png");
@@ -39,7 +39,7 @@ void draw(Options o) {
 
 void add_timeline(cli::Verb& program) {
   cli::Verb verb = program.verb("timeline", "Draw a render: states, waveform, spectrogram").group(kInspect);
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<TimelineArguments>();
   verb.positional("OUT.png", o->picture, "PNG to write").required();
   verb.option("--wav", o->sound, "the sound, any file libsndfile reads").required();
   verb.option("--states", o->states, "CSV time_s,signal,value, what `rigsound decode` prints").required();

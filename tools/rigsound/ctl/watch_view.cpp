@@ -14,7 +14,7 @@ namespace rigsound::tools {
 namespace {
 
 constexpr int kLabelWidth = 24;
-constexpr int kBarWidth = 24;
+constexpr int kMeterWidth = 24;
 
 using Lines = std::vector<std::string>;
 
@@ -39,7 +39,7 @@ std::string head_line(const Json& s) {
 std::string meter_line(const Json& s) {
   const Json& m = s["meters"];
   return fmt::format("output {} {:>6} peak {:>6} rms dBFS  limiter {:.1f} dB",
-                     bar_of(m["peak_db"], kBarWidth), db_text(m["peak_db"]), db_text(m["rms_db"]),
+                     bar_of(m["peak_db"], kMeterWidth), db_text(m["peak_db"]), db_text(m["rms_db"]),
                      m["limiter_db"].get<double>());
 }
 
