@@ -26,7 +26,7 @@ struct Boom {
   Boom(const EngineOptions& options, const SoundSet& sounds, int index)
       : scene(options, sounds, index),
         train(options.seed, index),
-        drill(options.seed, index),
+        drill(options.seed, index, options.sample_rate),
         drill_gain(dsp::gain_of_db(options.mix.drill_db + options.booms[index].gain_db)),
         tool_gain(dsp::gain_of_db(options.mix.tool_db + options.booms[index].gain_db)),
         made(options.sample_rate) {

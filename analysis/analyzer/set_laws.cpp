@@ -26,9 +26,10 @@ std::map<SeriesKey, std::vector<FedBank>> series_of_set(const fs::path& sound_se
     if (!drills(entry.situation) || !(entry.feed_bar > 0)) continue;
     try {
       ClickBank bank = config::load_bank(sound_set / "banks" / entry.name).bank;
+      const double tilt = spectral_tilt(bank);
       bank.clicks.clear();
       bank.gain_db += entry.gain_db;
-      series[{entry.rods, entry.rock}].push_back({entry.feed_bar, std::move(bank)});
+      series[{entry.rods, entry.rock}].push_back({entry.feed_bar, std::move(bank), tilt});
     } catch (const InputError&) {
       continue;  // another shard may be writing it, and `check` tells
     }
@@ -59,21 +60,21 @@ std::string laws_text(const SeriesLaws& s) {
   const auto percent = [](double ln) { return 100 * std::expm1(10 * ln); };
   return fmt::format(
       "{}{}: {} banks at {:g} to {:g} bar; 10 bar more change the rate by {:+.2f} %, the level by {:+.2f} "
-      "dB, the "
-      "decay time by {:+.1f} %",
+      "dB, the decay time by {:+.1f} %, the spectrum by {:+.2f} dB an octave",
       l.rods == 0   ? "any rods"
       : l.rods == 1 ? "1 rod"
                     : fmt::format("{} rods", l.rods),
       s.entry.rock.empty() ? "" : ", " + s.entry.rock, s.banks, s.lowest_bar, s.highest_bar,
-      percent(-l.ln_gap), 10 * l.ln_level * 20 / dsp::kLn10, percent(-l.ln_decay));
+      percent(-l.ln_gap), 10 * l.ln_level * 20 / dsp::kLn10, percent(-l.ln_decay), 10 * l.tilt_db_per_octave);
 }
 
 double difference(const FeedLaws& a, const FeedLaws& b) {
-  constexpr double kReach_bar = 100;
+  constexpr double kReach_bar = 100, kNepersPerDb = dsp::kLn10 / 20;
   return kReach_bar *
          std::max({std::fabs(a.ln_gap - b.ln_gap), std::fabs(a.ln_level - b.ln_level),
                    std::fabs(a.ln_decay - b.ln_decay), std::fabs(a.gap_variation - b.gap_variation),
-                   std::fabs(a.amplitude_variation - b.amplitude_variation)});
+                   std::fabs(a.amplitude_variation - b.amplitude_variation),
+                   kNepersPerDb * std::fabs(a.tilt_db_per_octave - b.tilt_db_per_octave)});
 }
 
 }  // namespace rigsound::analysis

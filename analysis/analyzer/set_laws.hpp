@@ -23,7 +23,8 @@ std::vector<SeriesLaws> laws_of_set(const std::filesystem::path& sound_set);
 /// One line for people.
 std::string laws_text(const SeriesLaws& laws);
 
-/// How far apart two laws take the sound within 100 bar, in nepers: the largest of their differences.
+/// How far apart two laws take the sound within 100 bar, in nepers (of the spectrum: an octave): the largest
+/// of their differences.
 double difference(const FeedLaws& a, const FeedLaws& b);
 
 }  // namespace rigsound::analysis

@@ -24,7 +24,7 @@ int distinct_feeds(const std::vector<FedBank>& series) {
 template <class Figure>
 double slope_of(const std::vector<FedBank>& series, Figure figure) {
   std::vector<LinePoint> points;
-  for (const FedBank& b : series) points.push_back({b.feed_bar, figure(b.bank)});
+  for (const FedBank& b : series) points.push_back({b.feed_bar, figure(b)});
   return median_slope(points, kFeedsApart_bar);
 }
 
@@ -32,16 +32,19 @@ double slope_of(const std::vector<FedBank>& series, Figure figure) {
 
 std::optional<FeedLaws> fit_feed_laws(const std::vector<FedBank>& series) {
   if (distinct_feeds(series) < kFewestFeeds) return std::nullopt;
+  const auto of_bank = [&](auto figure) {
+    return slope_of(series, [&](const FedBank& fed) { return figure(fed.bank); });
+  };
   FeedLaws laws;
-  laws.ln_gap =
-      slope_of(series, [](const ClickBank& b) { return std::log(b.mean_gap_samples / b.sample_rate); });
-  laws.ln_level = slope_of(
-      series, [](const ClickBank& b) { return std::log(b.mean_amplitude) + b.gain_db * dsp::kLn10 / 20; });
-  laws.ln_decay = slope_of(series, [](const ClickBank& b) { return std::log(b.decay * b.sample_rate); });
+  laws.ln_gap = of_bank([](const ClickBank& b) { return std::log(b.mean_gap_samples / b.sample_rate); });
+  laws.ln_level =
+      of_bank([](const ClickBank& b) { return std::log(b.mean_amplitude) + b.gain_db * dsp::kLn10 / 20; });
+  laws.ln_decay = of_bank([](const ClickBank& b) { return std::log(b.decay * b.sample_rate); });
   laws.gap_variation =
-      slope_of(series, [](const ClickBank& b) { return b.gap_deviation_samples / b.mean_gap_samples; });
+      of_bank([](const ClickBank& b) { return b.gap_deviation_samples / b.mean_gap_samples; });
   laws.amplitude_variation =
-      slope_of(series, [](const ClickBank& b) { return b.amplitude_deviation / b.mean_amplitude; });
+      of_bank([](const ClickBank& b) { return b.amplitude_deviation / b.mean_amplitude; });
+  laws.tilt_db_per_octave = slope_of(series, [](const FedBank& fed) { return fed.tilt_db_per_octave; });
   return laws;
 }
 

@@ -8,10 +8,12 @@
 
 namespace rigsound::analysis {
 
-/// A bank and the feed pressure it was recorded at. The clicks themselves may be left out.
+/// A bank, the feed pressure it was recorded at and its spectral_tilt(). The clicks themselves may be left
+/// out.
 struct FedBank {
   double feed_bar = 0;
   ClickBank bank;
+  double tilt_db_per_octave = 0;
 };
 
 constexpr int kFewestFeeds = 3;

@@ -65,6 +65,7 @@ FeedLaws DrillingLaws::slopes() {
   FeedLaws laws;
   laws.ln_gap = -kLnRate, laws.ln_level = kLnNorm, laws.ln_decay = kLnDecay;
   laws.gap_variation = kGapVariation, laws.amplitude_variation = kNormVariation;
+  laws.tilt_db_per_octave = kTiltDb;
   return laws;
 }
 

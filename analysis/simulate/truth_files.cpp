@@ -64,9 +64,9 @@ void write_laws_csv(const std::filesystem::path& path, const DrillingLaws& laws,
 
 void write_slopes_csv(const std::filesystem::path& path, const FeedLaws& slopes) {
   write_file(path, fmt::format("key,value\nln_gap,{}\nln_level,{}\nln_decay,{}\ngap_variation,{}\n"
-                               "amplitude_variation,{}\n",
+                               "amplitude_variation,{}\ntilt_db_per_octave,{}\n",
                                slopes.ln_gap, slopes.ln_level, slopes.ln_decay, slopes.gap_variation,
-                               slopes.amplitude_variation));
+                               slopes.amplitude_variation, slopes.tilt_db_per_octave));
 }
 
 void write_track_csv(const std::filesystem::path& path, const std::string& what,

@@ -28,7 +28,8 @@ std::string index_preamble() {
 # [[rock]] names a rock. The machine signal `rock` counts them from 0 in this order. stiffness, )" +
          stiffness + R"(:
 # of the bit in it; a drill string rings the longer the softer the rock.
-# [[laws]] says how the clicks of some rods and rock go on beyond the outermost banks: slopes over the feed, 1/bar.
+# [[laws]] says how the clicks of some rods and rock go on beyond the outermost banks: slopes over the feed, 1/bar; the
+#   last one is of the spectrum, dB an octave.
 # analyze fits them where none are; remove an entry to have it written anew.
 # [[tool]] is a steel, tools/NAME.json: kind = "bar" (a jackhammer's tool) or "string" (rods, joints, bit on rock). [[background]] is a diesel, backgrounds/NAME.
 

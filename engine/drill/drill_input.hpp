@@ -33,15 +33,18 @@ struct BankChoices {
 struct Trend {
   double ln_gap = 0, ln_level = 0, ln_decay = 0;
   double gap_variation = 0, amplitude_variation = 0;  ///< added
+  double tilt_db_per_octave = 0;
 };
 
 enum class Voicing : int { kDrilling, kClosedRattling, kOpenRattling };
 constexpr int kVoicings = 3;
 
-/// The banks that serve a voicing now, and its level over the chunk, linear.
+/// The banks that serve a voicing now, how much duller or brighter than recorded, and its level over the
+/// chunk, linear.
 struct Slot {
   BankChoices banks;
   DrillControls controls;
+  double tilt_db_per_octave = 0;
   dsp::Ramp gain{0, 0};
 };
 

@@ -4,8 +4,9 @@
 
 namespace rigsound::drill {
 
-DrillLayer::DrillLayer(std::uint64_t seed, int boom)
-    : players_{ClickPlayer(seed, boom, 0), ClickPlayer(seed, boom, 1), ClickPlayer(seed, boom, 2)} {
+DrillLayer::DrillLayer(std::uint64_t seed, int boom, double sample_rate)
+    : players_{ClickPlayer(seed, boom, 0), ClickPlayer(seed, boom, 1), ClickPlayer(seed, boom, 2)},
+      tilts_{TiltFilter(sample_rate), TiltFilter(sample_rate), TiltFilter(sample_rate)} {
   static_assert(kVoicings == 3, "one player a voicing");
 }
 
@@ -16,7 +17,8 @@ void DrillLayer::process(const DrillInput& input, const Impacts& impacts, double
     if (slot.banks.count > 0 && slot.gain.to > 0)
       for (const Impact& impact : impacts) players_[v].strike(slot.banks, impact, slot.controls);
     double bus[kChunk] = {};
-    if (players_[v].add_to(bus)) dsp::add_scaled(slot.gain, bus, out, kChunk);
+    const bool sounds = players_[v].add_to(bus);
+    if (tilts_[v].process(slot.tilt_db_per_octave, sounds, bus)) dsp::add_scaled(slot.gain, bus, out, kChunk);
   }
 }
 

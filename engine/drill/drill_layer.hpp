@@ -6,12 +6,13 @@
 
 #include "drill/click_player.hpp"
 #include "drill/drill_input.hpp"
+#include "drill/tilt_filter.hpp"
 
 namespace rigsound::drill {
 
 class DrillLayer {
  public:
-  DrillLayer(std::uint64_t seed, int boom);  ///< Thread: OFF
+  DrillLayer(std::uint64_t seed, int boom, double sample_rate);  ///< Thread: OFF
 
   /// The next kChunk samples. A bank whose slot is silent is not struck. Thread: RT.
   void process(const DrillInput& input, const Impacts& impacts, double* out) noexcept;
@@ -20,6 +21,7 @@ class DrillLayer {
 
  private:
   std::array<ClickPlayer, kVoicings> players_;
+  std::array<TiltFilter, kVoicings> tilts_;
 };
 
 }  // namespace rigsound::drill

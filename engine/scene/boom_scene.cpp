@@ -45,7 +45,7 @@ BoomScene::BoomScene(const EngineOptions& options, const SoundSet& sounds, int i
     : sounds_(&sounds),
       sample_rate_(options.sample_rate),
       points_(feed_points(options.scene)),
-      axis_(sounds, options.scene),
+      axis_(sounds, options.scene, options.booms[index].drill_string),
       crossfade_step_(std::min(1.0, kChunk / (options.scene.crossfade_s * options.sample_rate))),
       feed_remainder_(dsp::one_pole_remainder(options.scene.response_s, kChunk, options.sample_rate)),
       rods_remainder_(dsp::one_pole_remainder(options.scene.crossfade_s, kChunk, options.sample_rate)),
@@ -113,7 +113,10 @@ void BoomScene::place_drilling() noexcept {
   drill::Slot& slot = drill_.slots[static_cast<int>(Voicing::kDrilling)];
   slot.banks = place_.banks;
   slot.controls = state_.controls;
-  slot.controls.mean_amplitude_db += static_cast<float>(place_.trend.ln_level * kDbPerNeper);
+  // A bank's level is that of its energy, of which a click that decays faster or sounds duller has less.
+  const double ln_level = place_.trend.ln_level + 0.5 * place_.trend.ln_decay - place_.ln_tilted_norm;
+  slot.tilt_db_per_octave = place_.trend.tilt_db_per_octave;
+  slot.controls.mean_amplitude_db += static_cast<float>(ln_level * kDbPerNeper);
   slot.controls.decay_factor *= static_cast<float>(dsp::exp(place_.trend.ln_decay));
 }
 

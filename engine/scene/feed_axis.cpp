@@ -14,6 +14,7 @@ constexpr double kMostLevel = 1.4;  // 12 dB
 constexpr double kMostDecay = 1.4;  // a factor of 4
 constexpr double kMostVariation = 0.3;
 constexpr double kMostGap = 0.7;  // a factor of 2
+constexpr double kMostTilt = kLargestTilt;
 
 /// Straight at first, then smoothly towards +-limit.
 double saturated(double x, double limit) noexcept { return x / std::sqrt(1 + x * x / (limit * limit)); }
@@ -54,6 +55,7 @@ FeedLaws laws_between(const ClickBank& a, const ClickBank& b, double bar) noexce
       slope(a.gap_deviation_samples / a.mean_gap_samples, b.gap_deviation_samples / b.mean_gap_samples, bar);
   laws.amplitude_variation =
       slope(a.amplitude_deviation / a.mean_amplitude, b.amplitude_deviation / b.mean_amplitude, bar);
+  laws.tilt_db_per_octave = slope(spectral_tilt(a), spectral_tilt(b), bar);
   return laws;
 }
 
@@ -73,8 +75,8 @@ double FeedPoints::deviation(double feed_bar) const noexcept {
   return side > 0 ? (feed_bar - normal) / side : 0.0;
 }
 
-FeedAxis::FeedAxis(const SoundSet& sounds, const SceneOptions& options)
-    : sounds_(&sounds), options_(options), points_(feed_points(options)) {
+FeedAxis::FeedAxis(const SoundSet& sounds, const SceneOptions& options, int string)
+    : sounds_(&sounds), options_(options), points_(feed_points(options)), level_(sounds, string) {
   for (int rock = -1; rock < static_cast<int>(sounds.rocks.size()); ++rock) {
     std::vector<int> counts;
     for (const BankUse& use : sounds.uses)
@@ -117,10 +119,12 @@ FeedAxis::Series FeedAxis::series_of(int rods, int rock) const {
     return laws_between(bank_of(series.points[i]), bank_of(series.points[j]),
                         series.points[j].feed_bar - series.points[i].feed_bar);
   };
-  series.below = between(0, 1), series.above = between(n - 2, n - 1);
+  series.below.laws = between(0, 1), series.above.laws = between(n - 2, n - 1);
   for (const FeedLaws& laws : sounds_->laws)
     if ((laws.rods == 0 || laws.rods == rods) && (laws.rock < 0 || laws.rock == rock))
-      series.below = series.above = laws;
+      series.below.laws = series.above.laws = laws;
+  series.below.norm = TiltedNorm(bank_of(series.points.front()));
+  series.above.norm = TiltedNorm(bank_of(series.points.back()));
   return series;
 }
 
@@ -129,34 +133,43 @@ const std::vector<FeedAxis::Series>& FeedAxis::rock_series(int rock) const noexc
   return rocks_[rock >= 0 && rock <= last ? rock + 1 : 0];
 }
 
-void FeedAxis::draw(const Point& point, double share, FeedPlace& place) const noexcept {
+void FeedAxis::draw(const Point& point, double share, int rock, FeedPlace& place) const noexcept {
   const int at = place.banks.add(bank_of(point), share);
   if (at >= 0) place.uses[at] = point.use;
+  if (share > 0) place.trend.ln_level += share * level_.of_rock(rock, point.use->rock);
 }
 
-void FeedAxis::add(const Series& series, double feed_bar, double weight, FeedPlace& place) const noexcept {
+void FeedAxis::add(const Series& series, double feed_bar, int rock, double weight,
+                   FeedPlace& place) const noexcept {
   const std::vector<Point>& points = series.points;
   if (points.empty() || weight <= 0) return;
   const auto [low, high, w] = neighbours(points, &Point::feed_bar, feed_bar);
-  draw(low, weight * (1 - w), place);
-  draw(high, weight * w, place);
+  draw(low, weight * (1 - w), rock, place);
+  draw(high, weight * w, rock, place);
   place.percussion_bar += weight * (low.percussion_bar + w * (high.percussion_bar - low.percussion_bar));
 
   const double beyond = feed_bar - std::clamp(feed_bar, points.front().feed_bar,
                                               points.back().feed_bar);  // bar, negative below
-  const FeedLaws& laws = beyond < 0 ? series.below : series.above;
+  if (beyond == 0) return;
+  const auto& [laws, norm] = beyond < 0 ? series.below : series.above;
+  const double tilt = saturated(laws.tilt_db_per_octave * beyond, kMostTilt);
   place.trend.ln_gap += weight * saturated(laws.ln_gap * beyond, kMostGap);
   place.trend.ln_level += weight * saturated(laws.ln_level * beyond, kMostLevel);
   place.trend.ln_decay += weight * saturated(laws.ln_decay * beyond, kMostDecay);
   place.trend.gap_variation += weight * saturated(laws.gap_variation * beyond, kMostVariation);
   place.trend.amplitude_variation += weight * saturated(laws.amplitude_variation * beyond, kMostVariation);
+  place.trend.tilt_db_per_octave += weight * tilt;
+  place.ln_tilted_norm += weight * norm.ln(tilt);
 }
 
 FeedPlace FeedAxis::place(double feed_bar, double rods, int rock) const noexcept {
-  const auto [fewer, more, w] = neighbours(rock_series(rock), &Series::rods, rods);
+  const std::vector<Series>& series = rock_series(rock);
+  const auto [fewer, more, w] = neighbours(series, &Series::rods, rods);
   FeedPlace place;
-  add(fewer, feed_bar, 1 - w, place);
-  add(more, feed_bar, w, place);
+  add(fewer, feed_bar, rock, 1 - w, place);
+  add(more, feed_bar, rock, w, place);
+  const double recorded = std::clamp<double>(rods, series.front().rods, series.back().rods);
+  place.trend.ln_level += level_.of_joints(rods - recorded);
   return place;
 }
 
@@ -178,6 +191,7 @@ void FeedAxis::add_limits(const Point& end, const FeedLaws& laws, double last_ba
         bank.gap_deviation_samples / bank.mean_gap_samples);
   limit("amplitude variation", laws.amplitude_variation, kMostVariation,
         bank.amplitude_deviation / bank.mean_amplitude);
+  limit("brightness", laws.tilt_db_per_octave, kMostTilt, kMostTilt);
 }
 
 std::vector<FeedReach> FeedAxis::reach() const {
@@ -192,8 +206,8 @@ std::vector<FeedReach> FeedAxis::reach() const {
                       points.front().feed_bar,
                       points.back().feed_bar,
                       {}};
-      add_limits(points.front(), series.below, kFeedPressures.min, reach);
-      add_limits(points.back(), series.above, kFeedPressures.max, reach);
+      add_limits(points.front(), series.below.laws, kFeedPressures.min, reach);
+      add_limits(points.back(), series.above.laws, kFeedPressures.max, reach);
       all.push_back(std::move(reach));
     }
   return all;

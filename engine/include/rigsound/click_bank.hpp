@@ -61,4 +61,8 @@ void fields(Archive& a, ClickBank& o) {
 /// clicks, an empty click or one that is not finite. Thread: OFF.
 void require_valid(const ClickBank& bank);
 
+/// How bright the clicks are: slope of their mean power spectrum from 160 Hz to 8 kHz, dB an octave. Thread:
+/// OFF.
+double spectral_tilt(const ClickBank& bank);
+
 }  // namespace rigsound

@@ -12,7 +12,7 @@ namespace rigsound::scene {
 /// Beyond the outermost bank a parameter goes on by its trend; from `feed_bar` on it follows by less than
 /// half of that, or not at all.
 struct TrendLimit {
-  std::string_view parameter;  ///< rate, level, decay, gap variation or amplitude variation
+  std::string_view parameter;  ///< rate, level, decay, gap variation, amplitude variation or brightness
   double feed_bar;             ///< within the signal's range
 };
 

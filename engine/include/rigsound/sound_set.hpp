@@ -29,6 +29,7 @@ struct FeedLaws {
   int rock = -1;                                      ///< -1: any
   double ln_gap = 0, ln_level = 0, ln_decay = 0;      ///< of T_0, B, alpha_d
   double gap_variation = 0, amplitude_variation = 0;  ///< of sigma_T / T_0, sigma_B / B
+  double tilt_db_per_octave = 0;                      ///< of the clicks' spectrum
 };
 
 struct Rock {

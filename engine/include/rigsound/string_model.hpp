@@ -102,6 +102,14 @@ double loading_time_s(const StringModel& model, double stiffness_n_per_m);
 /// wall. Thread: OFF, CT.
 double reflected_energy(double x);
 
+/// Share of a strike's energy that a coupling sleeve lets through, 0...1. Thread: OFF, CT.
+double joint_transmission(const StringModel& model);
+
+/// How often the energy of a strike passes a string of one rod until rock of `stiffness_n_per_m` (N/m, > 0),
+/// chuck and guides have taken it, >= 1: 1 / (1 - share kept on a round trip). What passes is heard. Thread:
+/// OFF, CT.
+double energy_passes(const StringModel& model, double stiffness_n_per_m);
+
 /// What became of a pulse at the bit.
 struct BitReflection {
   double energy = 1;  ///< share sent back

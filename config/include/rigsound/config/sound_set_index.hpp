@@ -53,8 +53,8 @@ void fields(Archive& a, RockEntry& o) {
 /// about 50 mm, as orders of magnitude and not of any one rock. "medium" is what a [[rock]] without stiffness
 /// has.
 inline const std::vector<RockEntry> kUsualRocks = {
-    {"soft", 5e7},     ///< marl, weak limestone, weathered schist
     {"medium"},        ///< limestone, sandstone, gneiss
+    {"soft", 5e7},     ///< marl, weak limestone, weathered schist
     {"hard", 5e8},     ///< granite, diabase
     {"hardest", 1e9},  ///< quartzite, taconite
 };
@@ -89,6 +89,7 @@ void fields(Archive& a, LawsEntry& o) {
   a("ln_decay", o.laws.ln_decay, kSlopes);
   a("gap_variation", o.laws.gap_variation, kSlopes);
   a("amplitude_variation", o.laws.amplitude_variation, kSlopes);
+  a("tilt_db_per_octave", o.laws.tilt_db_per_octave, kSlopes);
 }
 
 struct SoundSetIndex {

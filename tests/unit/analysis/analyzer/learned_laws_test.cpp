@@ -22,6 +22,7 @@ TEST_CASE("a feed ramp at +6 dB gives a series and its laws, right between its b
     CHECK(laws.ln_gap == doctest::Approx(wanted.ln_gap).epsilon(0.1));
     CHECK(laws.ln_level == doctest::Approx(wanted.ln_level).epsilon(0.15));
     CHECK(laws.ln_decay == doctest::Approx(wanted.ln_decay).epsilon(0.1));
+    CHECK(laws.tilt_db_per_octave == doctest::Approx(wanted.tilt_db_per_octave).epsilon(0.2));
     CHECK(sounds.uses.size() >= 12);
     for (std::size_t i = 0; i + 1 < sounds.uses.size(); ++i)
       CHECK(sounds.uses[i].feed_bar < sounds.uses[i + 1].feed_bar);

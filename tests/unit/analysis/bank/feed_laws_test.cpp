@@ -22,6 +22,7 @@ FedBank bank_at(double feed_bar, double rate = 48000) {
   fed.bank.mean_amplitude = std::exp(0.004 * x);
   fed.bank.amplitude_deviation = fed.bank.mean_amplitude * (0.2 - 0.001 * x);
   fed.bank.decay = 100 / rate * std::exp(0.008 * x);
+  fed.tilt_db_per_octave = -1 - 0.05 * x;
   return fed;
 }
 
@@ -38,6 +39,7 @@ TEST_CASE("three feeds give the laws, banks of any rate and with any trim; two d
   CHECK(laws->ln_decay == doctest::Approx(0.008));
   CHECK(laws->gap_variation == doctest::Approx(-0.0003));
   CHECK(laws->amplitude_variation == doctest::Approx(-0.001));
+  CHECK(laws->tilt_db_per_octave == doctest::Approx(-0.05));
   CHECK_FALSE(fit_feed_laws({bank_at(40), bank_at(90)}).has_value());
   CHECK_FALSE(fit_feed_laws({bank_at(40), bank_at(90), bank_at(91), bank_at(90.5)}).has_value());
   CHECK_FALSE(fit_feed_laws({}).has_value());

@@ -206,6 +206,7 @@ TEST_CASE("along the feed the clicks follow the laws: norm, spacing and decay, r
   CHECK(std::log(a.rate_hz / b.rate_hz) / 40 == doctest::Approx(slopes.ln_gap));
   CHECK(std::log(b.norm / a.norm) / 40 == doctest::Approx(slopes.ln_level));
   CHECK(std::log(b.decay / a.decay) / 40 == doctest::Approx(slopes.ln_decay));
+  CHECK((b.tilt_db_per_octave - a.tilt_db_per_octave) / 40 == doctest::Approx(slopes.tilt_db_per_octave));
   CHECK(brightness_hz(a, 1) > 1.2 * brightness_hz(b, 1));
   CHECK(a.miss_share > b.miss_share);
 }

@@ -116,7 +116,7 @@ TEST_CASE("a bank played offline has the samples a boom plays live") {
   controls.decay_factor = 1.5f, controls.mean_amplitude_db = -3;
   BankPlayer offline(bank, 11);
   impact::ImpactTrain train(11, 0);
-  drill::DrillLayer live(11, 0);
+  drill::DrillLayer live(11, 0, 48000);
   drill::DrillInput input;
   input.slots[0].banks.add(bank, 1);
   input.slots[0].controls = controls;

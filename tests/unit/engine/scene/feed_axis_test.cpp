@@ -298,3 +298,35 @@ TEST_CASE(
   played(used, other, 1000), played(used, reset, 500);
   CHECK(played(used, state, 1000) == played(fresh, state, 1000));
 }
+
+TEST_CASE(
+    "rods and rock that nobody recorded are as loud as the string makes them, recorded ones as they are") {
+  Three three;
+  three.sounds.strings = {StringModel{}};
+  three.sounds.rocks = {{"soft", 5e7}, {"hard", 5e8}};
+  const double joint = 0.5 * std::log(joint_transmission(StringModel{}));
+  const auto passes = [](double stiffness) {
+    return 0.5 * std::log(energy_passes(StringModel{}, stiffness));
+  };
+  const double soft = passes(5e7) - passes(2e8), hard = passes(5e8) - passes(2e8);
+  const auto level = [&](int string, double rods, int rock) {
+    return scene::FeedAxis(three.sounds, SceneOptions{}, string).place(100, rods, rock).trend.ln_level;
+  };
+  CHECK(joint < -0.01);
+  CHECK(level(0, 1, -1) == 0);
+  CHECK(level(0, 6, -1) == doctest::Approx(5 * joint));
+  CHECK(level(0, 20, -1) == doctest::Approx(19 * joint));
+  CHECK(level(0, 1, 0) == doctest::Approx(soft));
+  CHECK(level(0, 6, 1) == doctest::Approx(hard + 5 * joint));
+  CHECK(level(0, 1, 7) == 0);  // a rock that the sound set does not have
+  CHECK(level(-1, 20, 0) == 0);
+
+  // Six rods recorded too, and on hard rock.
+  const std::vector<BankUse> uses = three.sounds.uses;
+  for (BankUse use : uses) use.rods = 6, use.rock = 1, three.sounds.uses.push_back(use);
+  for (std::size_t i = 0; i < uses.size(); ++i) three.sounds.uses[i].rods = 1;
+  CHECK(level(0, 6, 1) == doctest::Approx(0).scale(1));
+  CHECK(level(0, 20, 1) == doctest::Approx(14 * joint));
+  CHECK(level(0, 3, 1) == doctest::Approx(0).scale(1));
+  CHECK(level(0, 1, 0) == doctest::Approx(soft));
+}
