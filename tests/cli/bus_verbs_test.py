@@ -52,7 +52,7 @@ class Case(unittest.TestCase):
     def demo_rig(self, **replace):
         text = (ROOT / 'config/rigs/demo.toml').read_text()
         text = text.replace('../../out/soundset', str(self.folder / 'set'))
-        text = text.replace('../dbc/rig.dbc', str(ROOT / 'config/dbc/rig.dbc')).replace('tool = "steel"', '# no tool')
+        text = text.replace('../dbc/rig.dbc', str(ROOT / 'config/dbc/rig.dbc')).replace('tool = "rods"', '# no tool')
         for old, new in replace.items():
             assert old in text, old
             text = text.replace(old, new)
@@ -301,8 +301,8 @@ class Check(Case):
 
     def test_a_tool_that_is_not_there(self):
         write_sound_set(self.folder / 'set')
-        rig = self.demo_rig(**{'# no tool': 'tool = "steel"'})
-        self.refused(['check', rig], 'boom.tool: the sound set', "has no tool 'steel'")
+        rig = self.demo_rig(**{'# no tool': 'tool = "rods"'})
+        self.refused(['check', rig], 'boom.tool: the sound set', "has no tool 'rods'")
 
 
 class Render(Case):

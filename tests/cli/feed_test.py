@@ -77,7 +77,7 @@ class Check(Case):
         with open(folder / 'soundset.toml', 'a', encoding='utf-8') as index:
             index.write('[[laws]]\nln_gap = 0.001\nln_decay = 0.02\n')
         text = DEMO.read_text(encoding='utf-8').replace('../../out/soundset', str(folder))
-        text = text.replace('../dbc/', f"{ROOT / 'config/dbc'}/").replace('tool = "steel"', '# no tool')
+        text = text.replace('../dbc/', f"{ROOT / 'config/dbc'}/").replace('tool = "rods"', '# no tool')
         rig = self.folder / 'rig.toml'
         rig.write_text(text, encoding='utf-8')
         result = run('check', rig)

@@ -26,11 +26,14 @@ constexpr Family kFamilies[] = {{"bending", &StringFigures::bending},
                                 {"longitudinal", &StringFigures::rods},
                                 {"longitudinal_jointed", &StringFigures::string}};
 
+bool is_sound_set(const std::filesystem::path& folder) {
+  return std::filesystem::exists(folder / "soundset.toml");
+}
+
 /// The sound set whose rocks are meant: --set, or the one that is written to if it is there already.
 std::filesystem::path rocks_of(const DrillStringOptions& o, const ToolOutput& output) {
   if (!o.rocks_of.empty()) return o.rocks_of;
-  return std::filesystem::exists(std::filesystem::path(output.sound_set) / "soundset.toml") ? output.sound_set
-                                                                                            : "";
+  return is_sound_set(output.sound_set) ? output.sound_set : "";
 }
 
 void print_csv(const StringFigures& figures) {
@@ -87,11 +90,14 @@ std::string usual_rocks() {
   return list + " N/m";
 }
 
+/// A string stands on rock: a sound set that names none gets the usual ones.
 void save(const StringModel& model, const std::string& sound_set) {
   if (const auto kept = config::save_string(sound_set, model); !kept.empty())
     fmt::print(stderr, "{} was there and differed: kept as {}\n", model.name, kept.string());
   config::SoundSetIndex index;
   index.tools = {{model.name, config::SteelKind::kString}};
+  if (!is_sound_set(sound_set) || config::load_index(sound_set).rocks.empty())
+    index.rocks = config::kUsualRocks;
   config::merge_index(sound_set, index);
 }
 

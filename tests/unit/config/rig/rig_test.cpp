@@ -105,7 +105,7 @@ TEST_CASE("the demo rig reads its bus as its DBC says") {
   CHECK(rule(demo, Signal::kMasterGainDb).stale_after_s == doctest::Approx(1.5));
   CHECK(rule(demo, Signal::kPercussionRateHz).stale_after_s == 0);  // a Modbus client writes when it likes
   CHECK(demo.sound_set.filename() == "soundset");
-  CHECK(demo.boom_tools == std::vector<std::string>{"steel"});
+  CHECK(demo.boom_tools == std::vector<std::string>{"rods"});
   REQUIRE(demo.modbus.size() == 1);
   CHECK(demo.modbus[0].port == 1502);
   CHECK(demo.modbus[0].allow.size() == 2);
