@@ -16,7 +16,7 @@ constexpr double kLoading_s = 0.020, kExposed_s = 0.050;  // time constants
 constexpr double kJump_m = 0.3;      // of the exposed length: a rod was added or taken off
 constexpr double kReturn_s = 0.005;  // of the bit into its gap
 constexpr double kSnap_s = 60e-6;
-constexpr double kSilent = 1e-24, kNearSilent = 1e-9;  // energy; output
+constexpr double kSilentEnergy = 1e-24, kNearSilent = 1e-9;  // the latter of the output
 constexpr int kQuietChunks = 64;
 
 Strike strike_of(const StringModel& model) {
@@ -137,7 +137,7 @@ void StringLayer::rest_if_silent(bool struck, const double* out) noexcept {
   quiet_ = struck || std::fabs(out[kChunk - 1]) > kNearSilent ? 0 : quiet_ + 1;
   if (quiet_ < kQuietChunks) return;
   quiet_ = 0;
-  if (string_.energy() + bending_.energy() > kSilent) return;
+  if (string_.energy() + bending_.energy() > kSilentEnergy) return;
   string_.silence();
   bending_.silence();
   voice_.hp_x = voice_.hp_y = 0;
