@@ -43,7 +43,7 @@ struct StringModel {
 
   double string_mix = 1, bending_mix = 0.15;  ///< linear weights
   double highpass_hz = 300;                   ///< -6.02 dB point of a first-order high-pass
-  double level = 0.24;  ///< linear, of everything; at the mix's -12 dB it supports recorded clicks
+  double level = 0.12;  ///< linear, of everything; at the mix's -12 dB it supports recorded clicks
 };
 
 template <class Archive>
@@ -106,7 +106,7 @@ double reflected_energy(double x);
 double joint_transmission(const StringModel& model);
 
 /// How often the energy of a strike passes a string of one rod until rock of `stiffness_n_per_m` (N/m, > 0),
-/// chuck and guides have taken it, >= 1: 1 / (1 - share kept on a round trip). What passes is heard. Thread:
+/// chuck and guides have taken it: 1 over one minus the share kept on a round trip. What passes is heard. Thread:
 /// OFF, CT.
 double energy_passes(const StringModel& model, double stiffness_n_per_m);
 

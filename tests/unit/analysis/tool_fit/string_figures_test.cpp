@@ -77,7 +77,7 @@ TEST_CASE("a rock is that of the sound set, else one of the usual ones, else nam
   CHECK(config::find_rock(folder.path, "gneiss").stiffness == 3e8);
   CHECK(config::find_rock(folder.path, "soft").stiffness == 7e7);
   const std::string complaint = test::complaint([] { config::find_rock("", "hadr"); });
-  CHECK(complaint.find("expected soft, medium, hard, hardest; did you mean hard?") != std::string::npos);
+  CHECK(complaint.find("expected medium, soft, hard, hardest; did you mean hard?") != std::string::npos);
 }
 
 TEST_CASE("the picture shows every mode") {
