@@ -102,7 +102,7 @@ double loading_time_s(const StringModel& model, double stiffness_n_per_m);
 /// wall. Thread: OFF, CT.
 double reflected_energy(double x);
 
-/// Share of a strike's energy that a coupling sleeve lets through, 0...1. Thread: OFF, CT.
+/// Share of a strike's energy that a coupling sleeve lets through. Thread: OFF, CT.
 double joint_transmission(const StringModel& model);
 
 /// How often the energy of a strike passes a string of one rod until rock of `stiffness_n_per_m` (N/m, > 0),
