@@ -106,8 +106,8 @@ double reflected_energy(double x);
 double joint_transmission(const StringModel& model);
 
 /// How often the energy of a strike passes a string of one rod until rock of `stiffness_n_per_m` (N/m, > 0),
-/// chuck and guides have taken it: 1 over one minus the share kept on a round trip. What passes is heard. Thread:
-/// OFF, CT.
+/// chuck and guides have taken it: 1 over one minus the share kept on a round trip. What passes is heard.
+/// Thread: OFF, CT.
 double energy_passes(const StringModel& model, double stiffness_n_per_m);
 
 /// What became of a pulse at the bit.
