@@ -166,13 +166,17 @@ void Daemon::poll_session(double now_s) {
   if (audio_.figures().peak.load(std::memory_order_relaxed) > 0) silent_since_s_ = now_s;
   const bool other_card = recorder_.recording() && recorder_.header().format != session_header().format;
   if (!other_card && !recorder_.wants_new_run(now_s - silent_since_s_)) return;
-  log_info(fmt::format("session: {} {}, the next one begins", recorder_.options().file.string(),
+  log_info(fmt::format("session: {} {}, the next one begins", recorder_.file().string(),
                        other_card ? "was begun for another sample format" : "is full"));
   try {
     new_run(build(loaded_.rig));
   } catch (const std::exception& error) {
     recorder_.give_up(std::string("no new session, the sound set can no longer be played: ") + error.what());
   }
+}
+
+bool Daemon::plays_the_same(const LoadedRig& next) const {
+  return next.fingerprint == loaded_.fingerprint && next.rig.engine.seed == loaded_.rig.engine.seed;
 }
 
 /// The old engine's end must not be heard, nor the new one's start: both are silent where they meet.
@@ -186,13 +190,22 @@ void Daemon::new_run(LoadedRig next) {
   exchange_.set_gate(1, kSwapFade_s);
 }
 
+/// All of the rig but its engine: the running one plays the same and goes on.
+void Daemon::take_settings(LoadedRig next) {
+  next.engine.reset();
+  loaded_ = std::move(next);
+}
+
 ReloadResult Daemon::reload() {
   ReloadResult result;
   service_.reloading();
   try {
     LoadedRig next = load_for_reload(loaded_.rig, buses_, result.not_applied);
     exchange_.set_safety(next.rig.safety);
-    new_run(std::move(next));
+    if (plays_the_same(next) && recorder_.problem().empty())
+      take_settings(std::move(next));
+    else
+      new_run(std::move(next));
     start_feeds(std::exchange(feeds_, {}));
     ++reloads_;
     log_info("reloaded " + loaded_.rig.file.string());

@@ -60,6 +60,8 @@ class Daemon : private DaemonControl {
   void poll_session(double now_s);
   void report_card();
   void handle_signals(int signals);
+  bool plays_the_same(const LoadedRig& next) const;  ///< as the running engine
+  void take_settings(LoadedRig next);
   void new_run(LoadedRig next);
   void fade_to_silence(double fade_s);
   session::SessionHeader session_header() const;
