@@ -1,12 +1,13 @@
 // The control socket's language: one JSON object a line in, one out.
 #pragma once
 
-#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "rigsound/machine/signal.hpp"
 #include "snapshot.hpp"
+#include "subscription.hpp"
 
 namespace rigsound::daemon {
 
@@ -32,9 +33,9 @@ class DaemonControl {
   virtual void release(SignalId id) = 0;
 };
 
-/// Requests: {"command": "status" | "metrics" | "reload" | "mute" | "set" | "release"}; mute takes "on"
-/// (default: the other way round), set takes "key" and "value", release "key" (live_values.hpp). Answers:
-/// {"ok": true, ...} or {"ok": false, "error": TEXT}, with a newline. Never throws. Thread: CT.
-std::string answer(const std::string& request, DaemonControl& daemon);
+/// One request, PROTOCOL.md, as one line with a newline. `subscription`: the client's own. Never throws.
+/// Thread: CT.
+std::string answer(const std::string& request, DaemonControl& daemon,
+                   std::optional<Subscription>& subscription);
 
 }  // namespace rigsound::daemon

@@ -11,8 +11,10 @@
 #include <map>
 #include <utility>
 
+#include "control_conversation.hpp"
 #include "control_socket.hpp"
 #include "log.hpp"
+#include "metrics_page.hpp"
 #include "rigsound/can/can_bus.hpp"
 #include "rigsound/config/bus_text.hpp"
 #include "rigsound/device_error.hpp"
@@ -72,20 +74,15 @@ Daemon::~Daemon() {
 
 void Daemon::open_sockets() {
   const config::ControlOptions& control = loaded_.rig.control;
+  DaemonControl& self = *this;
+  const auto talk = [&self] { return std::make_unique<ControlConversation>(self); };
   if (!control.socket.empty())
+    servers_.emplace_back(listen_unix(control.socket),
+                          LineServer::Protocol{"\n", talk});
+  if (!control.metrics.empty())
     servers_.emplace_back(
-        listen_unix(control.socket),
-        LineServer::Protocol{"\n", false, [this](const std::string& r) { return answer(r, *this); }});
-  if (control.metrics.empty()) return;
-  servers_.emplace_back(
-      listen_tcp(*parse_host_port(control.metrics, 0)),
-      LineServer::Protocol{"\r\n\r\n", true, [this](const std::string&) {
-                             const std::string page = to_openmetrics(scrape());
-                             return "HTTP/1.1 200 OK\r\nContent-Type: application/openmetrics-text; "
-                                    "version=1.0.0; charset=utf-8\r\n"
-                                    "Content-Length: " +
-                                    std::to_string(page.size()) + "\r\nConnection: close\r\n\r\n" + page;
-                           }});
+        listen_tcp(*parse_host_port(control.metrics, 0)),
+        LineServer::Protocol{"\r\n\r\n", [&self] { return std::make_unique<MetricsPage>(self); }});
 }
 
 void Daemon::start_feeds(std::vector<std::unique_ptr<Feed>> kept) {
@@ -114,12 +111,13 @@ void Daemon::start_feeds(std::vector<std::unique_ptr<Feed>> kept) {
 void Daemon::run(int signals) {
   service_.ready();
   std::vector<pollfd> polls;
-  while (!stop_) {
+  for (bool busy = false; !stop_;) {
     polls.assign(1, pollfd{signals, POLLIN, 0});
     for (const LineServer& server : servers_) server.add_polls(polls);
-    ::poll(polls.data(), polls.size(), static_cast<int>(kPoll_s * 1e3));
+    ::poll(polls.data(), polls.size(), busy ? 0 : static_cast<int>(kPoll_s * 1e3));
     handle_signals(signals);
-    for (LineServer& server : servers_) server.serve();
+    busy = false;
+    for (LineServer& server : servers_) busy = server.serve() || busy;
     if (monotonic_s() >= next_poll_s_) poll();
   }
   service_.stopping();
@@ -158,6 +156,7 @@ void Daemon::poll() {
   poll_session(now_s);
   levels_.take(audio_.report().closed);
   audio_.close_window(levels_.taken() + 1);
+  for (LineServer& server : servers_) server.tell_news(now_s);
   service_.watch(audio_.figures().blocks.load(std::memory_order_relaxed), now_s);
 }
 

@@ -55,6 +55,7 @@ struct TwoBooms : DaemonControl {
     return entry.by_hand ? entry.hand_value : -99;
   }
 
+  std::optional<Subscription> subscription;
   ReloadResult reloaded;
   bool muted = false;
   DrillControls controls_[2];
@@ -62,7 +63,7 @@ struct TwoBooms : DaemonControl {
 };
 
 Json ask(TwoBooms& daemon, const std::string& request) {
-  const std::string line = answer(request, daemon);
+  const std::string line = answer(request, daemon, daemon.subscription);
   REQUIRE(line.back() == '\n');
   REQUIRE(line.find('\n') == line.size() - 1);
   return Json::parse(line);
