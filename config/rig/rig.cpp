@@ -197,7 +197,7 @@ Rig parse_rig(std::string_view text, const std::filesystem::path& file, Buses bu
   rig.safety = read_safety(root.table("safety"), stale_defaults(rig));
   set_down_ages(rig);
   rig.safety.idle_rpm = rig.engine.scene.idle_rpm;
-  rig.control = read_control(root.table("control"));
+  rig.control = read_control(root.table("control"), folder);
   root.refuse_unknown();
   require_own_interfaces(rig, root);
   require_own_lines(rig, root);

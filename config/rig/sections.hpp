@@ -16,7 +16,7 @@ namespace rigsound::config {
 audio::AudioOptions read_audio(TomlTable table);
 SceneOptions read_scene(TomlTable table);
 MixOptions read_mix(TomlTable table);
-ControlOptions read_control(TomlTable table);
+ControlOptions read_control(TomlTable table, const std::filesystem::path& folder);
 
 /// [sound]
 struct SoundSection {

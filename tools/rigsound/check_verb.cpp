@@ -102,6 +102,7 @@ struct CheckArguments {
 
 void check(const CheckArguments& options) {
   config::Rig rig = config::load_rig(options.rig);
+  config::control_token(rig);
   SoundSet sounds = config::load_sounds(rig);
   std::size_t clicks = 0;
   for (const ClickBank& bank : sounds.banks) clicks += bank.clicks.size();

@@ -69,16 +69,21 @@ Daemon::Daemon(const DaemonOptions& options)
 Daemon::~Daemon() {
   feeds_.clear();
   audio_.stop();
-  if (!loaded_.rig.control.socket.empty()) ::unlink(loaded_.rig.control.socket.c_str());
+  remove_socket(loaded_.rig.control.socket);
 }
 
 void Daemon::open_sockets() {
   const config::ControlOptions& control = loaded_.rig.control;
   DaemonControl& self = *this;
-  const auto talk = [&self] { return std::make_unique<ControlConversation>(self); };
+  const auto talk = [&self](const std::string& token) {
+    return [&self, token] { return std::make_unique<ControlConversation>(self, token); };
+  };
   if (!control.socket.empty())
-    servers_.emplace_back(listen_unix(control.socket),
-                          LineServer::Protocol{"\n", talk});
+    servers_.emplace_back(listen_unix(control.socket, access_of(loaded_.rig)),
+                          LineServer::Protocol{"\n", talk("")});
+  if (!control.tcp.empty())
+    servers_.emplace_back(listen_tcp(*parse_host_port(control.tcp, 0)),
+                          LineServer::Protocol{"\n", talk(config::control_token(loaded_.rig))});
   if (!control.metrics.empty())
     servers_.emplace_back(
         listen_tcp(*parse_host_port(control.metrics, 0)),

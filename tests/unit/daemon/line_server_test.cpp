@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
@@ -11,6 +12,7 @@
 
 #include "control_socket.hpp"
 #include "rigsound/device_error.hpp"
+#include "temporary_folder.hpp"
 
 using namespace rigsound;
 using namespace rigsound::daemon;
@@ -182,14 +184,46 @@ TEST_CASE("A client that floods is closed before it has taken more than 64 KiB o
   CHECK(sent < (1 << 20));  // what the kernel keeps, and a request
 }
 
+namespace {
+
+struct SocketPath {
+  explicit SocketPath(const std::string& name) : text((folder.path / name).string()) {}
+  struct stat about() const {
+    struct stat s {};
+    REQUIRE(::lstat(text.c_str(), &s) == 0);
+    return s;
+  }
+  test::TemporaryFolder folder;
+  std::string text;
+};
+
+}  // namespace
+
 TEST_CASE("A dead socket is replaced, a living one is not; only user and group may use it") {
-  const std::string path =
-      (std::filesystem::temp_directory_path() / ("rigsound_dead_" + std::to_string(::getpid()))).string();
-  { const FileDescriptor dead = listen_unix(path); }
-  const FileDescriptor alive = listen_unix(path);
-  CHECK_THROWS_AS(listen_unix(path), DeviceError);
-  const auto mode = std::filesystem::status(path).permissions();
-  CHECK((mode & std::filesystem::perms::others_all) == std::filesystem::perms::none);
-  ::unlink(path.c_str());
+  const SocketPath path("s");
+  { const FileDescriptor dead = listen_unix(path.text); }
+  const FileDescriptor alive = listen_unix(path.text);
+  CHECK_THROWS_AS(listen_unix(path.text), DeviceError);
+  CHECK((path.about().st_mode & 0777) == 0660);
   CHECK_THROWS_AS(listen_unix(std::string(200, 'x')), DeviceError);
+}
+
+TEST_CASE("Mode and group of the socket are those asked for") {
+  const SocketPath path("s");
+  const gid_t own = ::getegid();
+  gid_t groups[64];
+  const int count = ::getgroups(64, groups);
+  const gid_t other = ::geteuid() == 0 ? own + 1 : count > 0 ? groups[count - 1] : own;
+  const FileDescriptor socket = listen_unix(path.text, {other, 0606});
+  CHECK((path.about().st_mode & 0777) == 0606);
+  CHECK(path.about().st_gid == other);
+}
+
+TEST_CASE("What is no socket stays, whether a rig names it as one or not") {
+  const SocketPath path("notes.txt");
+  path.folder.write("notes.txt", "mine");
+  CHECK(test::complaint([&] { listen_unix(path.text); }) ==
+        path.text + ": cannot listen: something that is no socket lies there");
+  remove_socket(path.text);
+  CHECK(test::content(path.text) == "mine");
 }
