@@ -26,7 +26,7 @@ class DaemonControl {
   virtual void set_muted(bool muted) = 0;
   virtual std::vector<std::string> boom_names() const = 0;
   virtual DrillControls controls(int boom) const = 0;
-  virtual void set_controls(int boom, const DrillControls& controls) = 0;
+  virtual void set_control(int boom, const ControlInfo& control, double value) = 0;  ///< one that it takes
   virtual std::vector<std::string> rock_names() const = 0;
   virtual bool holds(SignalId id) const = 0;
   virtual void hold(SignalId id, double value) = 0;  ///< a value that the signal takes

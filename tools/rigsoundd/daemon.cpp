@@ -99,6 +99,9 @@ void Daemon::start_feeds(std::vector<std::unique_ptr<Feed>> kept) {
   for (const can::CanOptions& bus : loaded_.rig.can) plan(bus);
   for (const modbus::Line& line : modbus::lines(loaded_.rig.modbus)) plan(line);
   for (const udp::UdpOptions& input : loaded_.rig.udp) plan(input);
+  if (const osc::OscOptions& osc = loaded_.rig.osc; !osc.address.empty())
+    plans.push_back({config::bus_text(osc),
+                     [this, osc](BusListener& listener) { return osc::make_bus(osc, listener, *this); }});
 
   std::map<std::string, std::unique_ptr<Feed>> same;
   for (std::unique_ptr<Feed>& feed : kept)
@@ -111,6 +114,7 @@ void Daemon::start_feeds(std::vector<std::unique_ptr<Feed>> kept) {
     feeds_.push_back(old != nullptr ? std::move(old)
                                     : std::make_unique<Feed>(p.make, exchange_, std::move(p.text)));
   }
+  osc_output_.emplace(loaded_.rig.osc);
 }
 
 void Daemon::run(int signals) {
@@ -162,6 +166,7 @@ void Daemon::poll() {
   levels_.take(audio_.report().closed);
   audio_.close_window(levels_.taken() + 1);
   for (LineServer& server : servers_) server.tell_news(now_s);
+  if (osc_output_->due(now_s)) osc_output_->send(snapshot(), now_s);
   service_.watch(audio_.figures().blocks.load(std::memory_order_relaxed), now_s);
 }
 
@@ -227,6 +232,11 @@ ReloadResult Daemon::reload() {
 void Daemon::set_muted(bool muted) {
   exchange_.set_muted(muted, kMuteFade_s);
   log_info(muted ? "muted" : "unmuted");
+}
+
+/// Called by the thread of OSC.
+void Daemon::mute(bool on) {
+  if (on != exchange_.muted()) set_muted(on);
 }
 
 void Daemon::hold(SignalId id, double value) {

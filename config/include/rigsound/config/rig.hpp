@@ -14,6 +14,7 @@
 #include "rigsound/log/bus_log.hpp"
 #include "rigsound/machine/signal_board.hpp"
 #include "rigsound/modbus/modbus_options.hpp"
+#include "rigsound/osc/osc_options.hpp"
 #include "rigsound/udp/udp_options.hpp"
 
 namespace rigsound::config {
@@ -52,6 +53,7 @@ struct Rig {
   std::vector<can::CanOptions> can;
   std::vector<modbus::ModbusOptions> modbus;
   std::vector<udp::UdpOptions> udp;
+  osc::OscOptions osc;
   ControlOptions control;
   std::vector<std::string>
       doubts;  ///< what is probably a mistake, `FILE:LINE: KEY: what is odd, what was meant?`
