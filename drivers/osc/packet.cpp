@@ -101,7 +101,8 @@ std::optional<std::vector<Message>> read_packet(std::string_view bytes, std::str
 }
 
 std::string write_bundle(const std::vector<Value>& values) {
-  lo_bundle bundle = lo_bundle_new(LO_TT_IMMEDIATE);
+  constexpr lo_timetag kNow{0, kAtOnce};
+  lo_bundle bundle = lo_bundle_new(kNow);
   for (const Value& value : values) {
     lo_message message = lo_message_new();
     std::visit([&](const auto& x) { add(message, x); }, value.value);

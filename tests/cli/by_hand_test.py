@@ -212,14 +212,18 @@ class Manual(unittest.TestCase):
 
 
 class Help(unittest.TestCase):
-    def test_set_lists_what_can_be_set_and_the_daemon_the_first_sound(self):
-        text = subprocess.run([RIGSOUND, 'ctl', 'set', '--help'], capture_output=True, text=True).stdout
-        for line in ('feed_pressure_bar 0...300 bar: feed; 0: not feeding', 'rattling none,closed,open: rattling mode',
-                     'percussion_rate_hz 0 or 5...120 Hz: impacts a second', 'mean_amplitude_db -60...24 dB: level of the clicks',
-                     'Example: rigsound ctl set feed_pressure_bar 130'):
-            self.assertIn(line, text)
+    def test_set_and_release_list_what_can_be_set_and_the_daemon_the_first_sound(self):
+        for command, example in (('set', 'feed_pressure_bar 130'), ('release', 'feed_pressure_bar')):
+            text = subprocess.run([RIGSOUND, 'ctl', command, '--help'], capture_output=True, text=True).stdout
+            self.assertIn(f'Example: rigsound ctl {command} {example}', text)
+            self.lists_all(text)
         text = subprocess.run([RIGSOUNDD, '--help'], capture_output=True, text=True).stdout
         self.assertEqual(text.count('rigsound ctl set '), 3)
+
+    def lists_all(self, text):
+        for line in ('feed_pressure_bar 0...300 bar: feed; 0: not feeding', 'rattling none,closed,open: rattling mode',
+                     'percussion_rate_hz 0 or 5...120 Hz: impacts a second', 'mean_amplitude_db -60...24 dB: level of the clicks'):
+            self.assertIn(line, text)
 
 
 unittest.main(argv=sys.argv[:1])

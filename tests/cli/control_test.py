@@ -85,8 +85,15 @@ class Case(unittest.TestCase):
         daemon = subprocess.Popen([RIGSOUNDD, self.rig, '--manual', *words], stderr=subprocess.DEVNULL)
         self.addCleanup(daemon.wait)
         self.addCleanup(daemon.kill)
-        wait_for('socket', self.socket.exists)
+        wait_for('daemon', lambda: self.ctl('status').returncode == 0)
         return daemon
+
+    def tcp(self, token=TOKEN + '\n', mode=0o600):
+        self.port = free_port()
+        self.token = self.folder / 'token'
+        self.token.write_text(token)
+        self.token.chmod(mode)
+        return f'tcp = "127.0.0.1:{self.port}"\ntoken_file = "token"\n'
 
     def refused(self, control):
         """The one line of a daemon that does not start."""
@@ -232,13 +239,6 @@ class Access(Case):
 
 
 class Tcp(Case):
-    def tcp(self, token=TOKEN + '\n', mode=0o600):
-        self.port = free_port()
-        self.token = self.folder / 'token'
-        self.token.write_text(token)
-        self.token.chmod(mode)
-        return f'tcp = "127.0.0.1:{self.port}"\ntoken_file = "token"\n'
-
     def test_the_token_opens_the_connection_and_nothing_else_does(self):
         self.start(self.tcp())
         client = self.connect(('127.0.0.1', self.port))
@@ -279,7 +279,7 @@ class Tcp(Case):
         self.start(self.tcp(mode=0o640))
 
 
-class Examples(Tcp):
+class Examples(Case):
     def test_python(self):
         self.start()
         client = subprocess.Popen([sys.executable, ROOT / 'config/examples/control_client.py', self.socket, 'feed_pressure_bar', '160'],

@@ -210,7 +210,8 @@ void add_settings(cli::Verb& ctl, const Shared& o) {
   set.example("rigsound ctl set boom1.mean_frequency_hz 42");
   cli::Verb release =
       add(ctl, o, "release", "Give a signal back to its bus, bring a control back to neutral", release_value);
-  release.positional("KEY", o->key, "as of `set`, or `all`").required();
+  release.positional("KEY", o->key, "[BOOM.]SIGNAL or [BOOM.]CONTROL, listed below, or `all`").required();
+  release.details(settable());
   release.example("rigsound ctl release feed_pressure_bar");
   cli::Verb silence = add(ctl, o, "mute", "Silence the sound, or let it be heard again", mute);
   silence.positional("STATE", o->mute, "on or off; left out: the other one").one_of({"on", "off"});
