@@ -129,7 +129,8 @@ TEST_CASE("Nothing but finished sessions of the daemon's names is removed, whate
   SessionFolder wide(place.path, 1 << 20);
   const fs::path renamed = place.path / "accident.rigsession";
   fs::rename(record(wide, kNoon, seconds(60), 100), renamed);
-  const fs::path no_session = place.write("2026-11-30T12-13-12.001Z.rigsession", "my notes");
+  const fs::path no_session =
+      place.write("2026-11-30T12-13-12.001Z.rigsession", "my notes of a long morning");
   const fs::path empty = place.write("2026-11-30T12-13-12.002Z.rigsession", "");
   const fs::path other = place.write("notes.txt", "rigsound-session 4\n");
   const fs::path folder_alike = place.path / "2026-11-30T12-13-12.003Z.rigsession";
