@@ -230,7 +230,7 @@ class Sessions(unittest.TestCase):
         with Daemon(PLACE.rigsoundd, rig(), '--session', '/tmp/short', '--session-limit', '0.02') as daemon:
             wait_for('vcan0', lambda: daemon.bus('can vcan0')['up'])
             bus = Bus('vcan0')
-            first = sessions_in('/tmp/short')[0]
+            first = wait_for('a session', lambda: daemon.status()['session']['file'])
             def turned():
                 change_speed(bus)
                 return not os.path.exists(first)

@@ -118,7 +118,7 @@ TEST_CASE(
   };
   int rounds = 0;
   std::size_t other_bytes = 0;
-  for (; s.missed < 1000 && rounds < 10000; ++rounds) {
+  for (; s.missed < 1000 && rounds < 1100; ++rounds) {
     s.server.tell_news(rounds);
     do {
       s.server.serve();
