@@ -86,6 +86,14 @@ void add(Text& text, const modbus::ModbusOptions& section) {
   }
 }
 
+void add(Text& text, const std::vector<udp::NameRoute>& routes) {
+  for (const udp::NameRoute& route : routes) {
+    text.add(route.target);
+    text.add(route.name);
+    text.add(route.alias);
+  }
+}
+
 }  // namespace
 
 std::string bus_text(const can::CanOptions& bus) {
@@ -105,11 +113,16 @@ std::string bus_text(const udp::UdpOptions& input) {
   Text text("udp");
   visit(text, input);
   text.add(input.allow);
-  for (const udp::NameRoute& route : input.routes) {
-    text.add(route.target);
-    text.add(route.name);
-    text.add(route.alias);
-  }
+  add(text, input.routes);
+  return text.text();
+}
+
+std::string bus_text(const osc::OscOptions& osc) {
+  Text text("osc");
+  text.add(osc.address);
+  text.add(osc.allow);
+  add(text, osc.routes);
+  for (const std::string& boom : osc.booms) text.add(boom);
   return text.text();
 }
 

@@ -20,7 +20,7 @@ void note_stale(StaleDefaults& stale, Signal s, double cycle_s) {
   limit = std::max(limit, after);
 }
 
-/// A server cannot know how often its clients write, so it promises nothing.
+/// A server cannot know how often its clients write, nor who turns a knob over OSC: they promise nothing.
 StaleDefaults stale_defaults(const Rig& rig) {
   StaleDefaults stale{};
   for (const can::CanOptions& bus : rig.can)
@@ -42,6 +42,7 @@ void for_each_source(const Rig& rig, Visit visit) {
     for (const modbus::RegisterRoute& route : link.routes) visit("modbus", route.target);
   for (const udp::UdpOptions& input : rig.udp)
     for (const udp::NameRoute& route : input.routes) visit("udp", route.target);
+  for (const udp::NameRoute& route : rig.osc.routes) visit("osc", route.target);
 }
 
 void require_one_source(const Rig& rig, const TomlTable& root) {
@@ -156,6 +157,7 @@ void read_buses(TomlTable& root, const std::filesystem::path& folder, Rig& rig) 
     if (rig.udp.back().routes.empty())
       table.fail("signals", "there is none left that no other bus delivers, expected one or more");
   }
+  rig.osc = read_osc(root.table("osc"), free_signals(rig), rig.engine.booms);
 }
 
 /// What the engine would refuse is refused where the file says it.
@@ -193,11 +195,11 @@ Rig parse_rig(std::string_view text, const std::filesystem::path& file, Buses bu
   if (buses == Buses::kRead)
     read_buses(root, folder, rig);
   else
-    for (const char* section : {"can", "modbus", "udp"}) root.expect(section);
+    for (const char* section : {"can", "modbus", "udp", "osc"}) root.expect(section);
   rig.safety = read_safety(root.table("safety"), stale_defaults(rig));
   set_down_ages(rig);
   rig.safety.idle_rpm = rig.engine.scene.idle_rpm;
-  rig.control = read_control(root.table("control"));
+  rig.control = read_control(root.table("control"), folder);
   root.refuse_unknown();
   require_own_interfaces(rig, root);
   require_own_lines(rig, root);

@@ -16,7 +16,7 @@ namespace rigsound::config {
 audio::AudioOptions read_audio(TomlTable table);
 SceneOptions read_scene(TomlTable table);
 MixOptions read_mix(TomlTable table);
-ControlOptions read_control(TomlTable table);
+ControlOptions read_control(TomlTable table, const std::filesystem::path& folder);
 
 /// [sound]
 struct SoundSection {
@@ -60,6 +60,10 @@ ModbusRead read_modbus(TomlTable table, const std::vector<BoomOptions>& booms);
 
 /// `free_signals`: what no other bus of the rig delivers; a table that names none takes them all.
 udp::UdpOptions read_udp(TomlTable table, const std::vector<udp::NameRoute>& free_signals);
+
+/// [osc]: off where the table is absent.
+osc::OscOptions read_osc(TomlTable table, const std::vector<udp::NameRoute>& free_signals,
+                         const std::vector<BoomOptions>& booms);
 
 /// Walks a table `signal = ...`, in which a boom's name holds a table of that boom's signals. Calls `each`
 /// with the table that holds the key, the key and the signal. Refuses names that are no signal.

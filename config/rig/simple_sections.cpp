@@ -1,7 +1,5 @@
-// [audio] [[boom]] [scene] [mix] [control]: what the lists of options say, nothing that depends on other
-// files.
+// [audio] [[boom]] [scene] [mix]: what the lists of options say, nothing that depends on other files.
 #include "rig/sections.hpp"
-#include "rigsound/socket/host_port.hpp"
 #include "sound_set/names.hpp"
 #include "toml/toml_reader.hpp"
 
@@ -34,17 +32,6 @@ Booms read_booms(std::vector<TomlTable> tables) {
   }
   if (booms.options.empty()) booms = {{BoomOptions{}}, {""}, {0}};
   return booms;
-}
-
-ControlOptions read_control(TomlTable table) {
-  ControlOptions control;
-  read(table, control);
-  const auto where = parse_host_port(control.metrics, 0);
-  if (!control.metrics.empty() && (!where || where->port == 0))
-    table.fail("metrics",
-               "\"" + control.metrics + "\" is no address with a port, expected HOST:PORT or \"\"");
-  table.refuse_unknown();
-  return control;
 }
 
 }  // namespace rigsound::config

@@ -78,7 +78,7 @@ SessionStates::SessionStates(const std::filesystem::path& file) {
   header_ = parse_header(file.string(), bytes, at);
   read_chunks(bytes, at);
   if (changes_.empty() || changes_.front().block != 0)
-    throw InputError(file.string(), "holds no state for block 0, expected at least one whole chunk");
+    throw SessionWithoutState(file.string(), "holds no state for block 0, expected at least one whole chunk");
 }
 
 void SessionStates::read_chunks(const std::string& bytes, std::size_t at) {

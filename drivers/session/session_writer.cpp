@@ -1,6 +1,6 @@
 #include "rigsound/session/session_writer.hpp"
 
-#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -15,21 +15,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void fail(const fs::path& file, const char* what, int error) {
-  throw DeviceError(file.string() + ": session " + what + ": " + std::strerror(error));
-}
-
-fs::path older(const fs::path& file, int age) {
-  return file.parent_path() / (file.stem().string() + "." + std::to_string(age) + file.extension().string());
+[[noreturn]] void stop(const fs::path& file, int error) {
+  throw DeviceError(file.string() + ": session stops: " + std::strerror(error));
 }
 
 }  // namespace
 
-SessionWriter::SessionWriter(fs::path file, const SessionHeader& header)
-    : file_(std::move(file)),
-      fd_(::open(file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)),
-      last_words_(kStateWords) {
-  if (!fd_) fail(file_, "cannot be written", errno);
+SessionWriter::SessionWriter(fs::path file, FileDescriptor fd, const SessionHeader& header)
+    : file_(std::move(file)), fd_(std::move(fd)), last_words_(kStateWords) {
+  ::flock(fd_.get(), LOCK_EX | LOCK_NB);
   append(header_text(header));
 }
 
@@ -59,22 +53,11 @@ void SessionWriter::append(const std::string& bytes) {
       const int error = errno;
       // Readers ignore a torn end; without it the file is whole.
       [[maybe_unused]] const int cut = ::ftruncate(fd_.get(), static_cast<off_t>(bytes_));
-      fail(file_, "stops", error);
+      stop(file_, error);
     }
     done += wrote;
   }
   bytes_ += bytes.size();
-}
-
-void shift_older_sessions(const fs::path& file, int keep) {
-  std::error_code error;
-  fs::remove(older(file, keep), error);
-  for (int age = keep - 1; age >= 0; --age) {
-    const fs::path from = age == 0 ? file : older(file, age);
-    if (!fs::exists(from, error)) continue;
-    fs::rename(from, older(file, age + 1), error);
-    if (error) fail(from, "cannot be put aside", error.value());
-  }
 }
 
 }  // namespace rigsound::session

@@ -29,7 +29,8 @@ UdpSender::UdpSender(const std::string& address) {
 }
 
 bool UdpSender::send(const std::string& text) const {
-  return ::send(socket_.get(), text.data(), text.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(text.size());
+  return ::send(socket_.get(), text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT) ==
+         static_cast<ssize_t>(text.size());
 }
 
 }  // namespace rigsound::udp

@@ -80,7 +80,7 @@ class Manual(unittest.TestCase):
         write_sound_set(self.folder / 'set')
         self.rig = self.folder / 'rig.toml'
         self.rig.write_text(RIG.format(folder=self.folder))
-        self.session = self.folder / 's.rigsession'
+        self.sessions = self.folder / 'sessions'
 
     def start(self, *words):
         daemon = subprocess.Popen([RIGSOUNDD, self.rig, '--manual', *words], stderr=subprocess.DEVNULL)
@@ -104,7 +104,7 @@ class Manual(unittest.TestCase):
         return result
 
     def test_by_hand_from_silence_to_the_debrief(self):
-        daemon = self.start('--session', self.session)
+        daemon = self.start('--session', self.sessions)
         self.assertIn('MANUAL, NO BUS', self.ctl('status').stdout)
         self.assertEqual(self.ctl('set', 'engine_rpm', '1500').stdout,
                          'engine_rpm 1500, by hand until `rigsound ctl release`\n')
@@ -128,7 +128,7 @@ class Manual(unittest.TestCase):
         self.assertEqual(self.ctl('release', 'all').stdout, 'nothing to release\n')
         self.stop(daemon)
 
-        told = self.run_verb('decode', self.rig, '--session', self.session)
+        told = self.run_verb('decode', self.rig, '--session', self.sessions)
         rows = list(csv.DictReader(io.StringIO(told.stdout)))
         values = lambda name: [row['value'] for row in rows if row['signal'] == name]
         self.assertEqual(values('engine_rpm'), ['1500', '0'])
@@ -142,12 +142,18 @@ class Manual(unittest.TestCase):
         self.assertEqual(values('manual')[-1], 'none')
         times = [float(row['time_s']) for row in rows]
         self.assertEqual(times, sorted(times))
-        sounds = [self.run_verb('render', self.rig, '--session', self.session, '--out', self.folder / f'{i}.wav').stdout.split()[1]
+        sounds = [self.run_verb('render', self.rig, '--session', self.sessions, '--out', self.folder / f'{i}.wav').stdout.split()[1]
                   for i in range(2)]
         self.assertEqual(sounds[0], sounds[1])
         states = self.folder / 'states.csv'
         states.write_text(told.stdout)
         self.run_verb('timeline', self.folder / 's.png', '--wav', self.folder / '0.wav', '--states', states)
+
+    def test_a_rig_named_as_the_folder_of_sessions_is_refused_and_stays(self):
+        before = self.rig.read_bytes()
+        result = subprocess.run([RIGSOUNDD, self.rig, '--manual', '--session', self.rig], capture_output=True, text=True, timeout=PATIENCE_S)
+        self.assertEqual((result.returncode, result.stderr), (1, f'{self.rig}: is no folder, expected one for sessions, or a new name\n'))
+        self.assertEqual((self.rig.read_bytes(), sorted(path.name for path in self.folder.iterdir())), (before, ['rig.toml', 'set']))
 
     def test_what_cannot_be_set_is_refused_with_what_can(self):
         daemon = self.start()
@@ -206,14 +212,18 @@ class Manual(unittest.TestCase):
 
 
 class Help(unittest.TestCase):
-    def test_set_lists_what_can_be_set_and_the_daemon_the_first_sound(self):
-        text = subprocess.run([RIGSOUND, 'ctl', 'set', '--help'], capture_output=True, text=True).stdout
-        for line in ('feed_pressure_bar 0...300 bar: feed; 0: not feeding', 'rattling none,closed,open: rattling mode',
-                     'percussion_rate_hz 0 or 5...120 Hz: impacts a second', 'mean_amplitude_db -60...24 dB: level of the clicks',
-                     'Example: rigsound ctl set feed_pressure_bar 130'):
-            self.assertIn(line, text)
+    def test_set_and_release_list_what_can_be_set_and_the_daemon_the_first_sound(self):
+        for command, example in (('set', 'feed_pressure_bar 130'), ('release', 'feed_pressure_bar')):
+            text = subprocess.run([RIGSOUND, 'ctl', command, '--help'], capture_output=True, text=True).stdout
+            self.assertIn(f'Example: rigsound ctl {command} {example}', text)
+            self.lists_all(text)
         text = subprocess.run([RIGSOUNDD, '--help'], capture_output=True, text=True).stdout
         self.assertEqual(text.count('rigsound ctl set '), 3)
+
+    def lists_all(self, text):
+        for line in ('feed_pressure_bar 0...300 bar: feed; 0: not feeding', 'rattling none,closed,open: rattling mode',
+                     'percussion_rate_hz 0 or 5...120 Hz: impacts a second', 'mean_amplitude_db -60...24 dB: level of the clicks'):
+            self.assertIn(line, text)
 
 
 unittest.main(argv=sys.argv[:1])

@@ -21,7 +21,7 @@ RULES = {
     'engine/dsp': ((), ()),
     'engine/machine': (('engine/dsp',), ()),
     'engine': (GROUND, ()),
-    'drivers': ((*GROUND, 'engine'), ('modbus', 'alsa/', 'sndfile', 'pcap', 'readerwriterqueue', 'nlohmann/', 'POSIX')),
+    'drivers': ((*GROUND, 'engine'), ('modbus', 'alsa/', 'lo/', 'sndfile', 'pcap', 'readerwriterqueue', 'nlohmann/', 'POSIX')),
     'config': ((*GROUND, 'engine', 'drivers'), ('toml++/', 'nlohmann/', 'sndfile', 'samplerate', 'fmt/')),
     'analysis': ((*GROUND, 'engine', 'drivers', 'config'),
                  ('Eigen/', 'unsupported/Eigen/', 'nlopt', 'sndfile', 'samplerate', 'nlohmann/', 'openssl/', 'fmt/',

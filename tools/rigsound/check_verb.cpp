@@ -55,6 +55,14 @@ void print_udp(const config::Rig& rig) {
   }
 }
 
+void print_osc(const config::Rig& rig) {
+  const osc::OscOptions& osc = rig.osc;
+  if (!osc.address.empty())
+    fmt::print("osc {}: {} signals, controls, mute\n", osc.address, osc.routes.size());
+  for (const std::string& target : osc.targets)
+    fmt::print("osc to {} every {:g} ms\n", target, osc.every_s * 1e3);
+}
+
 bool delivers(const config::Rig& rig, Signal signal) {
   for (const can::CanOptions& bus : rig.can)
     for (const can::SignalRoute& route : bus.routes)
@@ -65,6 +73,8 @@ bool delivers(const config::Rig& rig, Signal signal) {
   for (const udp::UdpOptions& input : rig.udp)
     for (const udp::NameRoute& route : input.routes)
       if (route.target.signal == signal) return true;
+  for (const udp::NameRoute& route : rig.osc.routes)
+    if (route.target.signal == signal) return true;
   return false;
 }
 
@@ -102,6 +112,7 @@ struct CheckArguments {
 
 void check(const CheckArguments& options) {
   config::Rig rig = config::load_rig(options.rig);
+  config::control_token(rig);
   SoundSet sounds = config::load_sounds(rig);
   std::size_t clicks = 0;
   for (const ClickBank& bank : sounds.banks) clicks += bank.clicks.size();
@@ -121,6 +132,7 @@ void check(const CheckArguments& options) {
   print_can(rig);
   print_modbus(rig);
   print_udp(rig);
+  print_osc(rig);
   for (const std::string& doubt : rig.doubts) fmt::print(stderr, "{}\n", doubt);
   warn_of_missing_signals(rig);
   if (options.probe) probe_modbus(rig);

@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <iterator>
 #include <optional>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "cli/number_text.hpp"
 #include "ctl/control_client.hpp"
@@ -25,6 +27,7 @@ struct CtlArguments {
   std::string key, value;
   double seconds = 0.2;
   std::string mute;
+  std::vector<std::string> topics;
 };
 
 void status(const CtlArguments& o) {
@@ -82,6 +85,36 @@ void watch(const CtlArguments& o) {
     last = text;
     std::fflush(stdout);
     std::this_thread::sleep_for(std::chrono::duration<double>(o.seconds));
+  }
+}
+
+/// A line for each value of `change`, behind `time`: `signals.engine_rpm.value 1500`; `-` for what is no
+/// longer there.
+void print_changes(const std::string& time, const std::string& path, const Json& change) {
+  if (!change.is_object()) {
+    const std::string value = change.is_null()           ? "-"
+                              : change.is_string()       ? change.get<std::string>()
+                              : change.is_number_float() ? fmt::format("{:.5g}", change.get<double>())
+                                                         : change.dump();
+    return fmt::print("{} {} {}\n", time, path, value);
+  }
+  for (const auto& [key, value] : change.items())
+    print_changes(time, path.empty() ? key : path + "." + key, value);
+}
+
+// Ends by Ctrl-C.
+void subscribe(const CtlArguments& o) {
+  ControlClient client(o.socket);
+  Json request = {{"command", "subscribe"}, {"every_s", o.seconds}};
+  if (!o.topics.empty()) request["topics"] = o.topics;
+  client.ask(request);
+  for (;;) {
+    const Json event = client.next_event();
+    if (o.json)
+      fmt::print("{}\n", event.dump());
+    else
+      print_changes(fmt::format("{:.1f}", event["uptime_s"].get<double>()), "", event["change"]);
+    std::fflush(stdout);
   }
 }
 
@@ -154,6 +187,14 @@ void add_views(cli::Verb& ctl, const Shared& o) {
   look.option("--every", o->seconds, "seconds between two views").range(0.02, 3600).shows_default();
   look.details("Waits for a daemon that is not there yet, or has gone. Ends by Ctrl-C.");
   look.example("rigsound ctl watch --every 1");
+  cli::Verb changes = add(ctl, o, "subscribe", "Print what changes, a line each", subscribe);
+  changes.flag("--json", o->json, "one JSON object a line, a merge patch (RFC 7396) of the one before");
+  changes.option("--every", o->seconds, "seconds between two looks").range(0.1, 3600).shows_default();
+  changes
+      .option("--topics", o->topics, "parts of the status, such as signals,booms,meters; left out: all of it")
+      .separated_by_commas();
+  changes.details("Begins with everything. Ends by Ctrl-C.");
+  changes.example("rigsound ctl subscribe --topics signals,booms");
   add(ctl, o, "metrics", "Print OpenMetrics text", metrics).example("rigsound ctl metrics");
 }
 
@@ -169,7 +210,8 @@ void add_settings(cli::Verb& ctl, const Shared& o) {
   set.example("rigsound ctl set boom1.mean_frequency_hz 42");
   cli::Verb release =
       add(ctl, o, "release", "Give a signal back to its bus, bring a control back to neutral", release_value);
-  release.positional("KEY", o->key, "as of `set`, or `all`").required();
+  release.positional("KEY", o->key, "[BOOM.]SIGNAL or [BOOM.]CONTROL, listed below, or `all`").required();
+  release.details(settable());
   release.example("rigsound ctl release feed_pressure_bar");
   cli::Verb silence = add(ctl, o, "mute", "Silence the sound, or let it be heard again", mute);
   silence.positional("STATE", o->mute, "on or off; left out: the other one").one_of({"on", "off"});

@@ -9,6 +9,7 @@
 #include "refused_values.hpp"
 #include "rigsound/config/rig.hpp"
 #include "rigsound/log/change_trace.hpp"
+#include "rigsound/session/session_folder.hpp"
 #include "rigsound/session/session_states.hpp"
 #include "verbs.hpp"
 
@@ -81,7 +82,8 @@ void decode_log(const DecodeArguments& options) {
 
 void decode_session(const DecodeArguments& options) {
   const config::Rig rig = config::load_rig(options.rig, config::Buses::kLeftOut);
-  const session::SessionStates states(options.session);
+  const std::filesystem::path file = session::newest_session(options.session);
+  const session::SessionStates states(file);
   const session::SessionHeader& header = states.header();
   const double block_s = header.block / header.sample_rate;
   StateCsv csv(rig);
@@ -89,7 +91,7 @@ void decode_session(const DecodeArguments& options) {
     csv.add_state(static_cast<double>(change.block) * block_s, change.state);
   fmt::print("{}", csv.text());
   fmt::print(stderr, "{}: {:.1f} s, played by rigsound {} at {:g} Hz in blocks of {} frames, seed {}\n",
-             options.session, static_cast<double>(states.blocks()) * block_s, header.program,
+             file.string(), static_cast<double>(states.blocks()) * block_s, header.program,
              header.sample_rate, header.block, header.seed);
 }
 
@@ -102,7 +104,8 @@ void add_decode(cli::Verb& program) {
   verb.positional("RIG.toml", options->rig, "the rig; a bus and its signals are enough").required();
   cli::Verb source = verb.exactly_one("Source");
   source.option("--log", options->log.log, kLogHelp);
-  source.option("--session", options->session, "what rigsoundd --session wrote: what the engine was told");
+  source.option("--session", options->session,
+                "what rigsoundd --session wrote: what the engine was told; of a folder the newest");
   add_log_options(verb, options->log);
   verb.callback([options] { options->session.empty() ? decode_log(*options) : decode_session(*options); });
   verb.details(
@@ -120,7 +123,7 @@ void add_decode(cli::Verb& program) {
       "nothing "
       "says any more is `absent`.");
   verb.example("rigsound decode config/rigs/demo.toml --log config/logs/shift.log");
-  verb.example("rigsound decode config/rigs/demo.toml --session run.rigsession");
+  verb.example("rigsound decode config/rigs/demo.toml --session sessions");
 }
 
 }  // namespace rigsound::tools

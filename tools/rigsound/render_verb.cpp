@@ -14,6 +14,7 @@
 #include "rigsound/file/read_files.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "rigsound/session/log_states.hpp"
+#include "rigsound/session/session_folder.hpp"
 #include "rigsound/session/session_states.hpp"
 #include "rigsound/session/table_states.hpp"
 #include "sha256.hpp"
@@ -85,7 +86,8 @@ void render_log(const RenderArguments& options) {
 }
 
 /// What the session was rendered with counts; the rest must be what it was. Buses are not asked any more.
-void render_session(const RenderArguments& options) {
+void render_session(RenderArguments options) {
+  options.session = session::newest_session(options.session).string();
   config::Rig rig = config::load_rig(options.rig, config::Buses::kLeftOut);
   session::SessionStates states(options.session);
   const session::SessionHeader& header = states.header();
@@ -112,7 +114,8 @@ void add_render(cli::Verb& program) {
   verb.positional("RIG.toml", options->rig, "the rig").required();
   cli::Verb source = verb.exactly_one("Source");
   source.option("--log", options->log.log, kLogHelp);
-  source.option("--session", options->session, "what rigsoundd --session wrote: the very samples it played");
+  source.option("--session", options->session,
+                "what rigsoundd --session wrote: the very samples it played; of a folder the newest");
   source.option("--states", options->states, "CSV as decode prints it: the state itself, no safety rule");
   verb.option("--out", options->out, "WAV file to write: 32 bit float, or the format of the session's card")
       .required();

@@ -1,8 +1,14 @@
 #include "commands.hpp"
 
+#include <fmt/format.h>
+
+#include <array>
 #include <stdexcept>
+#include <string_view>
 
 #include "live_values.hpp"
+#include "rigsound/config/nearest_word.hpp"
+#include "snapshot_json.hpp"
 
 namespace rigsound::daemon {
 namespace {
@@ -19,30 +25,59 @@ Json mute(const Json& request, DaemonControl& daemon) {
   return {{"ok", true}, {"muted", muted}};
 }
 
-std::string answer_json(const Json& request, DaemonControl& daemon) {
+Json subscribe(const Json& request, std::optional<Subscription>& subscription) {
+  subscription.emplace(request);
+  return {{"ok", true}, {"every_s", subscription->every_s()}, {"topics", subscription->topics()}};
+}
+
+Json unsubscribe(std::optional<Subscription>& subscription) {
+  const bool was = subscription.has_value();
+  subscription.reset();
+  return {{"ok", true}, {"was_subscribed", was}};
+}
+
+Json metrics(DaemonControl& daemon) { return {{"ok", true}, {"text", to_openmetrics(daemon.scrape())}}; }
+
+constexpr std::array<std::string_view, 8> kCommands = {"status", "metrics", "set",       "release",
+                                                       "mute",   "reload",  "subscribe", "unsubscribe"};
+
+[[noreturn]] void refuse_command(const std::string& command) {
+  const std::string_view near = config::nearest_word(command, kCommands);
+  throw Refused(near.empty()
+                    ? fmt::format("\"{}\": unknown command, expected {}", command, fmt::join(kCommands, ", "))
+                    : fmt::format("\"{}\": unknown command, did you mean {}?", command, near));
+}
+
+Json answer_json(const Json& request, DaemonControl& daemon, std::optional<Subscription>& subscription) {
   const std::string command = request.value("command", "");
-  if (command == "status") return to_json(daemon.snapshot());
-  if (command == "metrics") return Json{{"ok", true}, {"text", to_openmetrics(daemon.scrape())}}.dump();
-  if (command == "set") return set_value(request, daemon).dump();
-  if (command == "release") return release_value(request, daemon).dump();
-  if (command == "reload") return reload(daemon).dump();
-  if (command == "mute") return mute(request, daemon).dump();
-  throw Refused("\"" + command +
-                "\": unknown command, expected status, metrics, set, release, reload or mute");
+  if (command == "status") return status_json(daemon.snapshot());
+  if (command == "metrics") return metrics(daemon);
+  if (command == "set") return set_value(request, daemon);
+  if (command == "release") return release_value(request, daemon);
+  if (command == "reload") return reload(daemon);
+  if (command == "mute") return mute(request, daemon);
+  if (command == "subscribe") return subscribe(request, subscription);
+  if (command == "unsubscribe") return unsubscribe(subscription);
+  refuse_command(command);
+}
+
+std::string line_of(const Json& answer) {
+  return answer.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace
 
-std::string answer(const std::string& request, DaemonControl& daemon) {
+std::string answer(const std::string& request, DaemonControl& daemon,
+                   std::optional<Subscription>& subscription) {
   std::string error;
   try {
-    return answer_json(Json::parse(request), daemon) + "\n";
+    return line_of(answer_json(Json::parse(request), daemon, subscription));
   } catch (const nlohmann::json::exception&) {
     error = "expected one JSON object a line, like {\"command\": \"status\"}";
   } catch (const std::exception& refused) {
     error = refused.what();
   }
-  return Json{{"ok", false}, {"error", error}}.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return line_of({{"ok", false}, {"error", error}});
 }
 
 }  // namespace rigsound::daemon

@@ -1,12 +1,13 @@
 // The control socket's language: one JSON object a line in, one out.
 #pragma once
 
-#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "rigsound/machine/signal.hpp"
 #include "snapshot.hpp"
+#include "subscription.hpp"
 
 namespace rigsound::daemon {
 
@@ -25,16 +26,16 @@ class DaemonControl {
   virtual void set_muted(bool muted) = 0;
   virtual std::vector<std::string> boom_names() const = 0;
   virtual DrillControls controls(int boom) const = 0;
-  virtual void set_controls(int boom, const DrillControls& controls) = 0;
+  virtual void set_control(int boom, const ControlInfo& control, double value) = 0;  ///< one that it takes
   virtual std::vector<std::string> rock_names() const = 0;
   virtual bool holds(SignalId id) const = 0;
   virtual void hold(SignalId id, double value) = 0;  ///< a value that the signal takes
   virtual void release(SignalId id) = 0;
 };
 
-/// Requests: {"command": "status" | "metrics" | "reload" | "mute" | "set" | "release"}; mute takes "on"
-/// (default: the other way round), set takes "key" and "value", release "key" (live_values.hpp). Answers:
-/// {"ok": true, ...} or {"ok": false, "error": TEXT}, with a newline. Never throws. Thread: CT.
-std::string answer(const std::string& request, DaemonControl& daemon);
+/// One request, PROTOCOL.md, as one line with a newline. `subscription`: the client's own. Never throws.
+/// Thread: CT.
+std::string answer(const std::string& request, DaemonControl& daemon,
+                   std::optional<Subscription>& subscription);
 
 }  // namespace rigsound::daemon

@@ -11,8 +11,10 @@
 #include <map>
 #include <utility>
 
+#include "control_conversation.hpp"
 #include "control_socket.hpp"
 #include "log.hpp"
+#include "metrics_page.hpp"
 #include "rigsound/can/can_bus.hpp"
 #include "rigsound/config/bus_text.hpp"
 #include "rigsound/device_error.hpp"
@@ -67,25 +69,25 @@ Daemon::Daemon(const DaemonOptions& options)
 Daemon::~Daemon() {
   feeds_.clear();
   audio_.stop();
-  if (!loaded_.rig.control.socket.empty()) ::unlink(loaded_.rig.control.socket.c_str());
+  remove_socket(loaded_.rig.control.socket);
 }
 
 void Daemon::open_sockets() {
   const config::ControlOptions& control = loaded_.rig.control;
+  DaemonControl& self = *this;
+  const auto talk = [&self](const std::string& token) {
+    return [&self, token] { return std::make_unique<ControlConversation>(self, token); };
+  };
   if (!control.socket.empty())
+    servers_.emplace_back(listen_unix(control.socket, access_of(loaded_.rig)),
+                          LineServer::Protocol{"\n", talk("")});
+  if (!control.tcp.empty())
+    servers_.emplace_back(listen_tcp(*parse_host_port(control.tcp, 0)),
+                          LineServer::Protocol{"\n", talk(config::control_token(loaded_.rig))});
+  if (!control.metrics.empty())
     servers_.emplace_back(
-        listen_unix(control.socket),
-        LineServer::Protocol{"\n", false, [this](const std::string& r) { return answer(r, *this); }});
-  if (control.metrics.empty()) return;
-  servers_.emplace_back(
-      listen_tcp(*parse_host_port(control.metrics, 0)),
-      LineServer::Protocol{"\r\n\r\n", true, [this](const std::string&) {
-                             const std::string page = to_openmetrics(scrape());
-                             return "HTTP/1.1 200 OK\r\nContent-Type: application/openmetrics-text; "
-                                    "version=1.0.0; charset=utf-8\r\n"
-                                    "Content-Length: " +
-                                    std::to_string(page.size()) + "\r\nConnection: close\r\n\r\n" + page;
-                           }});
+        listen_tcp(*parse_host_port(control.metrics, 0)),
+        LineServer::Protocol{"\r\n\r\n", [&self] { return std::make_unique<MetricsPage>(self); }});
 }
 
 void Daemon::start_feeds(std::vector<std::unique_ptr<Feed>> kept) {
@@ -97,6 +99,9 @@ void Daemon::start_feeds(std::vector<std::unique_ptr<Feed>> kept) {
   for (const can::CanOptions& bus : loaded_.rig.can) plan(bus);
   for (const modbus::Line& line : modbus::lines(loaded_.rig.modbus)) plan(line);
   for (const udp::UdpOptions& input : loaded_.rig.udp) plan(input);
+  if (const osc::OscOptions& osc = loaded_.rig.osc; !osc.address.empty())
+    plans.push_back({config::bus_text(osc),
+                     [this, osc](BusListener& listener) { return osc::make_bus(osc, listener, *this); }});
 
   std::map<std::string, std::unique_ptr<Feed>> same;
   for (std::unique_ptr<Feed>& feed : kept)
@@ -109,17 +114,19 @@ void Daemon::start_feeds(std::vector<std::unique_ptr<Feed>> kept) {
     feeds_.push_back(old != nullptr ? std::move(old)
                                     : std::make_unique<Feed>(p.make, exchange_, std::move(p.text)));
   }
+  osc_output_.emplace(loaded_.rig.osc);
 }
 
 void Daemon::run(int signals) {
   service_.ready();
   std::vector<pollfd> polls;
-  while (!stop_) {
+  for (bool busy = false; !stop_;) {
     polls.assign(1, pollfd{signals, POLLIN, 0});
     for (const LineServer& server : servers_) server.add_polls(polls);
-    ::poll(polls.data(), polls.size(), static_cast<int>(kPoll_s * 1e3));
+    ::poll(polls.data(), polls.size(), busy ? 0 : static_cast<int>(kPoll_s * 1e3));
     handle_signals(signals);
-    for (LineServer& server : servers_) server.serve();
+    busy = false;
+    for (LineServer& server : servers_) busy = server.serve() || busy;
     if (monotonic_s() >= next_poll_s_) poll();
   }
   service_.stopping();
@@ -158,6 +165,8 @@ void Daemon::poll() {
   poll_session(now_s);
   levels_.take(audio_.report().closed);
   audio_.close_window(levels_.taken() + 1);
+  for (LineServer& server : servers_) server.tell_news(now_s);
+  if (osc_output_->due(now_s)) osc_output_->send(snapshot(), now_s);
   service_.watch(audio_.figures().blocks.load(std::memory_order_relaxed), now_s);
 }
 
@@ -166,13 +175,17 @@ void Daemon::poll_session(double now_s) {
   if (audio_.figures().peak.load(std::memory_order_relaxed) > 0) silent_since_s_ = now_s;
   const bool other_card = recorder_.recording() && recorder_.header().format != session_header().format;
   if (!other_card && !recorder_.wants_new_run(now_s - silent_since_s_)) return;
-  log_info(fmt::format("session: {} {}, the next one begins", recorder_.options().file.string(),
+  log_info(fmt::format("session: {} {}, the next one begins", recorder_.file().string(),
                        other_card ? "was begun for another sample format" : "is full"));
   try {
     new_run(build(loaded_.rig));
   } catch (const std::exception& error) {
     recorder_.give_up(std::string("no new session, the sound set can no longer be played: ") + error.what());
   }
+}
+
+bool Daemon::plays_the_same(const LoadedRig& next) const {
+  return next.fingerprint == loaded_.fingerprint && next.rig.engine.seed == loaded_.rig.engine.seed;
 }
 
 /// The old engine's end must not be heard, nor the new one's start: both are silent where they meet.
@@ -186,13 +199,22 @@ void Daemon::new_run(LoadedRig next) {
   exchange_.set_gate(1, kSwapFade_s);
 }
 
+/// All of the rig but its engine: the running one plays the same and goes on.
+void Daemon::take_settings(LoadedRig next) {
+  next.engine.reset();
+  loaded_ = std::move(next);
+}
+
 ReloadResult Daemon::reload() {
   ReloadResult result;
   service_.reloading();
   try {
     LoadedRig next = load_for_reload(loaded_.rig, buses_, result.not_applied);
     exchange_.set_safety(next.rig.safety);
-    new_run(std::move(next));
+    if (plays_the_same(next) && recorder_.problem().empty())
+      take_settings(std::move(next));
+    else
+      new_run(std::move(next));
     start_feeds(std::exchange(feeds_, {}));
     ++reloads_;
     log_info("reloaded " + loaded_.rig.file.string());
@@ -210,6 +232,11 @@ ReloadResult Daemon::reload() {
 void Daemon::set_muted(bool muted) {
   exchange_.set_muted(muted, kMuteFade_s);
   log_info(muted ? "muted" : "unmuted");
+}
+
+/// Called by the thread of OSC.
+void Daemon::mute(bool on) {
+  if (on != exchange_.muted()) set_muted(on);
 }
 
 void Daemon::hold(SignalId id, double value) {

@@ -14,9 +14,11 @@
 #include "levels.hpp"
 #include "line_server.hpp"
 #include "loaded_rig.hpp"
+#include "osc_output.hpp"
 #include "recorder.hpp"
 #include "rigsound/audio/null_sink.hpp"
 #include "rigsound/audio/sound_card.hpp"
+#include "rigsound/osc/osc_bus.hpp"
 #include "service_manager.hpp"
 #include "state_exchange.hpp"
 
@@ -29,7 +31,7 @@ struct DaemonOptions {
 };
 
 /// Thread: main, all of it; construct with the signals of `signals` blocked in every thread.
-class Daemon : private DaemonControl {
+class Daemon : private DaemonControl, private osc::ControlListener {
  public:
   /// Errors: InputError for the rig, DeviceError for the control socket. A missing card or bus is none.
   explicit Daemon(const DaemonOptions& options);
@@ -45,13 +47,17 @@ class Daemon : private DaemonControl {
   void set_muted(bool muted) override;
   std::vector<std::string> boom_names() const override;
   DrillControls controls(int boom) const override { return exchange_.controls(boom); }
-  void set_controls(int boom, const DrillControls& controls) override {
-    exchange_.set_controls(boom, controls);
+  void set_control(int boom, const ControlInfo& control, double value) override {
+    exchange_.set_control(boom, control, value);
   }
   std::vector<std::string> rock_names() const override { return loaded_.sounds.rocks; }
   bool holds(SignalId id) const override { return exchange_.board().entry(id).by_hand; }
   void hold(SignalId id, double value) override;
   void release(SignalId id) override;
+  void control(int boom, const ControlInfo& control, double value) override {
+    exchange_.set_control(boom, control, value);
+  }
+  void mute(bool on) override;
 
   void open_sockets();
   /// Feeds for the buses of loaded_; those of `kept` that are told the same go on as they are.
@@ -60,6 +66,8 @@ class Daemon : private DaemonControl {
   void poll_session(double now_s);
   void report_card();
   void handle_signals(int signals);
+  bool plays_the_same(const LoadedRig& next) const;  ///< as the running engine
+  void take_settings(LoadedRig next);
   void new_run(LoadedRig next);
   void fade_to_silence(double fade_s);
   session::SessionHeader session_header() const;
@@ -80,6 +88,7 @@ class Daemon : private DaemonControl {
   Recorder recorder_;
   std::vector<std::unique_ptr<Feed>> feeds_;
   std::vector<LineServer> servers_;
+  std::optional<OscOutput> osc_output_;
   ServiceManager service_;
   audio::CardStatus reported_;
   double start_s_, next_poll_s_ = 0, silent_since_s_ = 0;

@@ -104,12 +104,6 @@ void for_each_boom(const Target& target, const std::vector<std::string>& booms, 
     each(b, target.per_boom() ? fmt::format("{}.{}", booms[b], target.name()) : std::string(target.name()));
 }
 
-void set_control(const ControlInfo& control, int boom, double value, DaemonControl& daemon) {
-  DrillControls controls = daemon.controls(boom);
-  controls.*control.field = static_cast<float>(value);
-  daemon.set_controls(boom, controls);
-}
-
 /// Whether there was something to release.
 bool release_one(const Target& target, int boom, DaemonControl& daemon) {
   if (target.signal) {
@@ -120,7 +114,7 @@ bool release_one(const Target& target, int boom, DaemonControl& daemon) {
   }
   const auto neutral = static_cast<float>(target.control->neutral);
   if (daemon.controls(boom).*target.control->field == neutral) return false;
-  set_control(*target.control, boom, target.control->neutral, daemon);
+  daemon.set_control(boom, *target.control, target.control->neutral);
   return true;
 }
 
@@ -144,7 +138,7 @@ Json set_value(const Json& request, DaemonControl& daemon) {
     if (target.signal)
       daemon.hold({*target.signal, static_cast<std::uint8_t>(boom)}, value);
     else
-      set_control(*target.control, boom, value, daemon);
+      daemon.set_control(boom, *target.control, value);
     set.push_back(
         {{"name", label}, {"value", value}, {"unit", target.unit()}, {"manual", target.signal.has_value()}});
   });

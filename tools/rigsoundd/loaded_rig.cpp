@@ -56,6 +56,10 @@ LoadedRig load_for_reload(const config::Rig& running, config::Buses buses,
   keep("audio.resample", running.audio.resample, rig.audio.resample, not_applied);
   keep_format(running.audio.format, rig.audio.format, not_applied);
   keep("control.socket", running.control.socket, rig.control.socket, not_applied);
+  keep("control.group", running.control.group, rig.control.group, not_applied);
+  keep("control.mode", running.control.mode, rig.control.mode, not_applied);
+  keep("control.tcp", running.control.tcp, rig.control.tcp, not_applied);
+  keep("control.token_file", running.control.token_file, rig.control.token_file, not_applied);
   keep("control.metrics", running.control.metrics, rig.control.metrics, not_applied);
   rig.engine.sample_rate = running.engine.sample_rate;
   rig.engine.block = running.engine.block;

@@ -62,9 +62,10 @@ int main(int argc, char** argv) {
   cli::Verb verb = program.verb();
   verb.positional("RIG.toml", options.rig, "the rig").required();
   verb.option("--session", session,
-              "write what happens to FILE; older ones become NAME.1.EXT, NAME.2.EXT, NAME.3.EXT")
-      .type("FILE");
-  verb.option("--session-limit", limit_mb, "MB that all session files together may take")
+              "write what happens to DIR, each run to a file named by the time it began")
+      .type("DIR");
+  verb.option("--session-limit", limit_mb,
+              "MB that all sessions of DIR together may take; the oldest go first")
       .range(0.01, 1e6)
       .shows_default();
   verb.flag("--manual", manual, "open no bus: signals are what `rigsound ctl set` says");
@@ -77,11 +78,11 @@ int main(int argc, char** argv) {
       "rigsound ctl set engine_rpm 1500 (the diesel runs)\n"
       "rigsound ctl set feed_pressure_bar 90 (it drills)\n"
       "rigsound ctl set feed_pressure_bar 160 (too much feed)");
-  verb.example("rigsoundd config/rigs/demo.toml --session run.rigsession");
+  verb.example("rigsoundd config/rigs/demo.toml --session sessions");
   verb.example("rigsoundd config/rigs/demo.toml --manual");
   verb.callback([&] {
     if (manual) options.buses = config::Buses::kLeftOut;
-    options.session.file = session;
+    options.session.folder = session;
     options.session.limit_bytes = static_cast<std::uint64_t>(limit_mb * 1e6);
     code = serve(options);
   });

@@ -1,19 +1,22 @@
 #include "recorder.hpp"
 
+#include <chrono>
+
 #include "log.hpp"
 #include "rigsound/device_error.hpp"
 
 namespace rigsound::daemon {
 namespace {
 
-constexpr int kOlderSessions = 3;
 constexpr double kFlush_s = 0.5;
 constexpr double kSilence_s = 2;
 
 }  // namespace
 
-Recorder::Recorder(RecorderOptions options, RunQueue& records, const AudioFigures& figures)
-    : options_(std::move(options)), records_(records), figures_(figures) {}
+Recorder::Recorder(const RecorderOptions& options, RunQueue& records, const AudioFigures& figures)
+    : records_(records), figures_(figures) {
+  if (!options.folder.empty()) folder_.emplace(options.folder, options.limit_bytes);
+}
 
 void Recorder::give_up(const std::string& why) {
   problem_ = why;
@@ -26,11 +29,11 @@ void Recorder::begin(const RunRecord& first) {
   problem_.clear();
   lost_at_begin_ = first.lost;
   writer_.reset();
-  if (options_.file.empty()) return;
+  if (!folder_) return;
   try {
-    session::shift_older_sessions(options_.file, kOlderSessions);
-    writer_ = std::make_unique<session::SessionWriter>(options_.file, header_);
-    log_info("session: " + options_.file.string());
+    writer_ = folder_->begin(header_, std::chrono::system_clock::now());
+    file_ = writer_->file();
+    log_info("session: " + file_.string());
   } catch (const DeviceError& error) {
     give_up(error.what());
   }
@@ -75,7 +78,7 @@ void Recorder::finish() { drain(); }
 
 bool Recorder::wants_new_run(double silent_s) const {
   if (!writer_) return false;
-  const std::uint64_t share = options_.limit_bytes / (kOlderSessions + 1);
+  const std::uint64_t share = folder_->share();
   return broken() || writer_->bytes() > (silent_s > kSilence_s ? share / 2 : share);
 }
 

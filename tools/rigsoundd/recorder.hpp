@@ -8,20 +8,22 @@
 #include <string>
 
 #include "audio_figures.hpp"
+#include "rigsound/session/session_folder.hpp"
 #include "rigsound/session/session_writer.hpp"
 #include "run_record.hpp"
 
 namespace rigsound::daemon {
 
 struct RecorderOptions {
-  std::filesystem::path file;             ///< empty: nothing is recorded
-  std::uint64_t limit_bytes = 256 << 20;  ///< of all session files together
+  std::filesystem::path folder;           ///< of sessions; empty: nothing is recorded
+  std::uint64_t limit_bytes = 256 << 20;  ///< of all sessions together
 };
 
-/// Each run is one file; older ones move up to NAME.1, NAME.2, NAME.3. Thread: CT, one at a time.
+/// Each run is one session. Thread: CT, one at a time.
 class Recorder {
  public:
-  Recorder(RecorderOptions options, RunQueue& records, const AudioFigures& figures);
+  /// Errors: InputError when `options.folder` is something else.
+  Recorder(const RecorderOptions& options, RunQueue& records, const AudioFigures& figures);
 
   /// What the next run is rendered with; must be called before it begins.
   void expect_run(const session::SessionHeader& header) { header_ = header; }
@@ -40,7 +42,7 @@ class Recorder {
   bool recording() const { return writer_ != nullptr; }
   const std::string& problem() const { return problem_; }
   std::uint64_t bytes() const { return writer_ ? writer_->bytes() : 0; }
-  const RecorderOptions& options() const { return options_; }
+  const std::filesystem::path& file() const { return file_; }  ///< of the last session; empty: none yet
 
  private:
   void take(const RunRecord& record);
@@ -48,11 +50,12 @@ class Recorder {
   void drain();
   bool broken() const;  // a change of state of this run was lost
 
-  RecorderOptions options_;
+  std::optional<session::SessionFolder> folder_;
   RunQueue& records_;
   const AudioFigures& figures_;
   session::SessionHeader header_;
   std::unique_ptr<session::SessionWriter> writer_;
+  std::filesystem::path file_;
   std::optional<std::uint32_t> run_;
   std::uint64_t lost_at_begin_ = 0;
   double next_flush_s_ = 0;

@@ -85,7 +85,6 @@ struct Snapshot {
   SessionSnapshot session;
 };
 
-std::string to_json(const Snapshot& snapshot);         ///< one line, no newline
 std::string to_openmetrics(const Snapshot& snapshot);  ///< ends with `# EOF`
 
 }  // namespace rigsound::daemon

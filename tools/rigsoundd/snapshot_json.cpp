@@ -1,8 +1,8 @@
+#include "snapshot_json.hpp"
+
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "rigsound/machine/signal.hpp"
-#include "snapshot.hpp"
 
 namespace rigsound::daemon {
 namespace {
@@ -98,29 +98,28 @@ Json meters_json(const Snapshot& s) {
 
 }  // namespace
 
-std::string to_json(const Snapshot& s) {
-  const Json json = {{"ok", true},
-                     {"version", s.version},
-                     {"rig", s.rig},
-                     {"uptime_s", s.uptime_s},
-                     {"audio", audio_json(s)},
-                     {"meters", meters_json(s)},
-                     {"muted", s.muted},
-                     {"paused", s.paused},
-                     {"no_buses", s.no_buses},
-                     {"signals", signals_json(s)},
-                     {"buses", buses_json(s)},
-                     {"booms", booms_json(s)},
-                     {"session",
-                      {{"file", s.session.file},
-                       {"recording", s.session.recording},
-                       {"bytes", s.session.bytes},
-                       {"problem", s.session.problem},
-                       {"lost_records", s.lost_records}}},
-                     {"reloads", s.reloads},
-                     {"failed_reloads", s.failed_reloads},
-                     {"lost_log_entries", s.lost_log_entries}};
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+Json status_json(const Snapshot& s) {
+  return Json{{"ok", true},
+              {"version", s.version},
+              {"rig", s.rig},
+              {"uptime_s", s.uptime_s},
+              {"audio", audio_json(s)},
+              {"meters", meters_json(s)},
+              {"muted", s.muted},
+              {"paused", s.paused},
+              {"no_buses", s.no_buses},
+              {"signals", signals_json(s)},
+              {"buses", buses_json(s)},
+              {"booms", booms_json(s)},
+              {"session",
+               {{"file", s.session.file},
+                {"recording", s.session.recording},
+                {"bytes", s.session.bytes},
+                {"problem", s.session.problem},
+                {"lost_records", s.lost_records}}},
+              {"reloads", s.reloads},
+              {"failed_reloads", s.failed_reloads},
+              {"lost_log_entries", s.lost_log_entries}};
 }
 
 }  // namespace rigsound::daemon

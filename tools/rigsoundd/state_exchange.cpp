@@ -30,8 +30,8 @@ void StateExchange::change(const std::function<void(SignalBoard&)>& change) {
   edit([&](StateInput& input) { change(input.board); });
 }
 
-void StateExchange::set_controls(int boom, const DrillControls& controls) {
-  edit([&](StateInput& input) { input.controls[boom] = controls; });
+void StateExchange::set_control(int boom, const ControlInfo& control, double value) {
+  edit([&](StateInput& input) { input.controls[boom].*control.field = static_cast<float>(value); });
 }
 
 DrillControls StateExchange::controls(int boom) const {

@@ -28,8 +28,8 @@ class StateExchange {
 
   void change(const std::function<void(SignalBoard&)>& edit);  ///< Thread: CT
 
-  void set_controls(int boom, const DrillControls& controls);  ///< Thread: CT
-  DrillControls controls(int boom) const;                      ///< Thread: CT
+  void set_control(int boom, const ControlInfo& control, double value);  ///< Thread: CT
+  DrillControls controls(int boom) const;                                ///< Thread: CT
 
   void set_muted(bool muted, double fade_s);  ///< Thread: CT
   bool muted() const;                         ///< Thread: CT

@@ -11,7 +11,7 @@ import unittest
 from frames import EEC1, Bus, engine_speed
 from place import PLACE
 from rigs import write_rig
-from running import PATIENCE_S, Daemon, wait_for
+from running import PATIENCE_S, Daemon, sessions_in, wait_for
 from sound import PLAYBACK, PeriodClock, Recording, peak_of
 
 DRIVERS = '/sys/bus/platform/drivers'
@@ -180,7 +180,7 @@ class Sessions(unittest.TestCase):
         path = write_rig(f'{PLACE.work}/killed.toml', PLACE.project, PLACE.sounds, device=PLAYBACK, block=256, form='float',
                          can=['vcan0'], safety='stale_after_ms = 0')
         with PeriodClock(PLACE.period_clock, 256), Recording('/tmp/killed.raw', 'float', 256) as recording:
-            with Daemon(PLACE.rigsoundd, path, '--session', '/tmp/killed.rigsession') as daemon:
+            with Daemon(PLACE.rigsoundd, path, '--session', '/tmp/killed') as daemon:
                 daemon.wait_playing()
                 run_diesel()
                 blocks = daemon.status()['audio']['blocks']
@@ -188,21 +188,23 @@ class Sessions(unittest.TestCase):
                 daemon.process.kill()
                 daemon.process.wait()
             recording.stop()
-        for file in ('/tmp/killed.raw', '/tmp/killed.rigsession'):
-            shutil.move(file, PLACE.work)
+        shutil.move('/tmp/killed.raw', PLACE.work)
+        shutil.move(sessions_in('/tmp/killed')[-1], f'{PLACE.work}/killed.rigsession')
 
     def test_a_card_of_another_format_begins_the_next(self):
         """The session must hold what the card got, also when the card came later and is no float card."""
         driver('unbind', 'snd_dummy')
         path = rig(device='hw:Dummy,0', form='auto')
-        with Daemon(PLACE.rigsoundd, path, '--session', '/tmp/late.rigsession') as daemon:
-            wait_for('a session', lambda: daemon.status()['session']['recording'])
+        with Daemon(PLACE.rigsoundd, path, '--session', '/tmp/late') as daemon:
+            wait_for('vcan0', lambda: daemon.bus('can vcan0')['up'])
+            run_diesel()  # a session that tells nothing would not stay
+            daemon.wait_signal('engine_rpm', 1500)
             driver('bind', 'snd_dummy')
             daemon.wait_playing()
-            wait_for('the next session', lambda: os.path.exists('/tmp/late.1.rigsession'))
+            wait_for('the next session', lambda: len(sessions_in('/tmp/late')) == 2)
             wait_for('its end of the first', lambda: daemon.status()['session']['recording'])
             self.assertEqual(daemon.terminate(), 0)
-        for file, form in (('/tmp/late.1.rigsession', b'format auto\n'), ('/tmp/late.rigsession', b'format S16\n')):
+        for file, form in zip(sessions_in('/tmp/late'), (b'format auto\n', b'format S16\n')):
             with open(file, 'rb') as session:
                 self.assertIn(form, session.read())
 
@@ -210,7 +212,7 @@ class Sessions(unittest.TestCase):
         os.makedirs('/tmp/small', exist_ok=True)
         subprocess.run(['mount', '-t', 'tmpfs', '-o', 'size=4k', 'tmpfs', '/tmp/small'], check=True)
         try:
-            with Daemon(PLACE.rigsoundd, rig(), '--session', '/tmp/small/run.rigsession') as daemon:
+            with Daemon(PLACE.rigsoundd, rig(), '--session', '/tmp/small/sessions') as daemon:
                 wait_for('vcan0', lambda: daemon.bus('can vcan0')['up'])
                 bus = Bus('vcan0')
                 def full():
@@ -224,15 +226,16 @@ class Sessions(unittest.TestCase):
         finally:
             subprocess.run(['umount', '/tmp/small'], check=True)
 
-    def test_a_session_at_its_limit_begins_the_next(self):
-        with Daemon(PLACE.rigsoundd, rig(), '--session', '/tmp/short.rigsession', '--session-limit', '0.01') as daemon:
+    def test_a_session_at_its_limit_begins_the_next_and_the_oldest_goes(self):
+        with Daemon(PLACE.rigsoundd, rig(), '--session', '/tmp/short', '--session-limit', '0.02') as daemon:
             wait_for('vcan0', lambda: daemon.bus('can vcan0')['up'])
             bus = Bus('vcan0')
+            first = wait_for('a session', lambda: daemon.status()['session']['file'])
             def turned():
                 change_speed(bus)
-                return os.path.exists('/tmp/short.2.rigsession')
-            wait_for('the next session', turned)
+                return not os.path.exists(first)
+            wait_for('the first to go', turned)
             bus.close()
             self.assertEqual(daemon.terminate(), 0)
-        for age in ('', '.1', '.2'):
-            self.assertLess(os.path.getsize(f'/tmp/short{age}.rigsession'), 10000)
+        self.assertGreater(len(sessions_in('/tmp/short')), 1)
+        self.assertLess(sum(map(os.path.getsize, sessions_in('/tmp/short'))), 25000)

@@ -22,6 +22,11 @@ def wait_for(what, ready, limit_s=PATIENCE_S):
         time.sleep(0.02)
 
 
+def sessions_in(folder):
+    """Paths, oldest first."""
+    return sorted(f'{folder}/{name}' for name in os.listdir(folder))
+
+
 class Daemon:
     def __init__(self, program, rig, *arguments, socket_path='/tmp/control.sock', env=None, log='/tmp/rigsoundd.log'):
         if os.path.exists(socket_path):

@@ -10,7 +10,7 @@ import unittest
 from frames import EEC1, Bus, engine_speed
 from place import PLACE
 from rigs import write_rig
-from running import Daemon, wait_for
+from running import Daemon, sessions_in, wait_for
 from sound import CAPTURE, PLAYBACK, PeriodClock, Recording
 
 
@@ -33,16 +33,16 @@ class Sound(unittest.TestCase):
         name = f'log_{block}_{form}'
         rig = write_rig(f'{PLACE.work}/{name}.toml', PLACE.project, PLACE.sounds, device=PLAYBACK, block=block, periods=3,
                         form=form, can=['vcan0'])
-        session = f'/tmp/{name}.rigsession'
+        sessions = f'/tmp/{name}'
         with PeriodClock(PLACE.period_clock, block), Recording(f'/tmp/{name}.raw', form, block) as recording:
-            with Daemon(PLACE.rigsoundd, rig, '--session', session) as daemon:
+            with Daemon(PLACE.rigsoundd, rig, '--session', sessions) as daemon:
                 daemon.wait_playing()
                 subprocess.run(['canplayer', '-I', log, 'vcan0=can0'], check=True)
                 status = daemon.status()
                 self.assertEqual(daemon.terminate(), 0)
             self.assertEqual(recording.stop(), '')
-        for file in (f'/tmp/{name}.raw', session):
-            shutil.move(file, PLACE.work)
+        shutil.move(f'/tmp/{name}.raw', PLACE.work)
+        shutil.move(sessions_in(sessions)[-1], f'{PLACE.work}/{name}.rigsession')
         audio = status['audio']
         seconds = audio['blocks'] * block / 48000
         print(f'FIGURE block {block} {form}: {audio["xruns"]} xruns and {audio["deadline_misses"]} deadline misses in '
@@ -73,9 +73,9 @@ class Sound(unittest.TestCase):
         """A real xrun: the daemon may not run for a while. State, block clock and every sample survive it."""
         rig = write_rig(f'{PLACE.work}/gaps_128_float.toml', PLACE.project, PLACE.sounds, device=PLAYBACK, block=128,
                         form='float', can=['vcan0'], safety='stale_after_ms = 0')
-        session = '/tmp/gaps_128_float.rigsession'
+        sessions = '/tmp/gaps_128_float'
         with PeriodClock(PLACE.period_clock, 128), Recording('/tmp/gaps_128_float.raw', 'float', 128) as recording:
-            with Daemon(PLACE.rigsoundd, rig, '--session', session) as daemon:
+            with Daemon(PLACE.rigsoundd, rig, '--session', sessions) as daemon:
                 daemon.wait_playing()
                 bus = Bus('vcan0')
                 for rpm in (900, 1500, 2100):
@@ -92,8 +92,8 @@ class Sound(unittest.TestCase):
                 bus.close()
                 self.assertEqual(daemon.terminate(), 0)
             self.assertEqual(recording.stop(), '')
-        for file in ('/tmp/gaps_128_float.raw', session):
-            shutil.move(file, PLACE.work)
+        shutil.move('/tmp/gaps_128_float.raw', PLACE.work)
+        shutil.move(sessions_in(sessions)[-1], f'{PLACE.work}/gaps_128_float.rigsession')
 
     def check_latency(self, kind, where, **buses):
         block, periods = 64, 3

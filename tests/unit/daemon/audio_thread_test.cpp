@@ -5,10 +5,13 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 #include <mutex>
+#include <set>
 
 #include "bench/formula_sounds.hpp"
 #include "recorder.hpp"
+#include "rigsound/session/session_folder.hpp"
 #include "rigsound/session/session_states.hpp"
 #include "state_exchange.hpp"
 
@@ -77,11 +80,11 @@ struct Setup {
 
   EngineOptions options = tools::full_options();
   fs::path folder = fs::temp_directory_path() / ("rigsound_daemon_" + std::to_string(::getpid()));
-  fs::path file = folder / "run.rigsession";
+  fs::path sessions = folder / "sessions";
   StateExchange exchange{SafetyOptions{}};
   KeepingSink sink;
   AudioThread audio{engine(), sink, exchange.handoff()};
-  Recorder recorder{{file, 1 << 20}, audio.records(), audio.figures()};
+  Recorder recorder{{sessions, 1 << 20}, audio.records(), audio.figures()};
 };
 
 }  // namespace
@@ -97,8 +100,11 @@ TEST_CASE("A session renders the very samples that were played, over a change of
   s.recorder.finish();
   const auto runs = s.sink.runs();
   REQUIRE(runs.size() == 2);
-  CHECK(s.rendered(s.folder / "run.1.rigsession") == runs[0]);
-  CHECK(s.rendered(s.file) == runs[1]);
+  std::set<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(s.sessions)) files.insert(entry.path());
+  REQUIRE(files.size() == 2);
+  CHECK(s.rendered(*files.begin()) == runs[0]);
+  CHECK(s.rendered(*files.rbegin()) == runs[1]);
   CHECK(s.audio.figures().lost_records == 0);
 }
 
@@ -113,17 +119,19 @@ TEST_CASE("A recorder that is not polled loses records, says so, and writes noth
   CHECK(s.recorder.wants_new_run(0));
   s.audio.stop();
   s.recorder.finish();
-  CHECK_THROWS(session::SessionStates(s.file));  // not one chunk: it cannot be whole
+  CHECK_THROWS(
+      session::SessionStates(session::newest_session(s.sessions)));  // not one chunk: it cannot be whole
 }
 
 TEST_CASE("A folder that cannot be written stops the recording, not the sound") {
   Setup s;
-  Recorder recorder({s.folder / "missing" / "run.rigsession", 1 << 20}, s.audio.records(), s.audio.figures());
+  std::ofstream(s.folder / "file") << "mine";
+  Recorder recorder({s.folder / "file" / "sessions", 1 << 20}, s.audio.records(), s.audio.figures());
   s.audio.start();
   while (s.audio.figures().blocks < 20) recorder.poll(0);
   recorder.poll(1);
   CHECK_FALSE(recorder.recording());
-  CHECK(recorder.problem().find("run.rigsession") != std::string::npos);
+  CHECK(recorder.problem().find("/file/sessions: ") != std::string::npos);
   const std::uint64_t before = s.audio.figures().blocks;
   while (s.audio.figures().blocks < before + 20) recorder.poll(2);
   s.audio.stop();

@@ -44,7 +44,9 @@ struct TwoBooms : DaemonControl {
   void set_muted(bool on) override { muted = on; }
   std::vector<std::string> boom_names() const override { return {"left", "right"}; }
   DrillControls controls(int boom) const override { return controls_[boom]; }
-  void set_controls(int boom, const DrillControls& c) override { controls_[boom] = c; }
+  void set_control(int boom, const ControlInfo& control, double value) override {
+    controls_[boom].*control.field = static_cast<float>(value);
+  }
   std::vector<std::string> rock_names() const override { return {"granite", "marble"}; }
   bool holds(SignalId id) const override { return board.entry(id).by_hand; }
   void hold(SignalId id, double value) override { board.hold(id, value); }
@@ -55,6 +57,7 @@ struct TwoBooms : DaemonControl {
     return entry.by_hand ? entry.hand_value : -99;
   }
 
+  std::optional<Subscription> subscription;
   ReloadResult reloaded;
   bool muted = false;
   DrillControls controls_[2];
@@ -62,7 +65,7 @@ struct TwoBooms : DaemonControl {
 };
 
 Json ask(TwoBooms& daemon, const std::string& request) {
-  const std::string line = answer(request, daemon);
+  const std::string line = answer(request, daemon, daemon.subscription);
   REQUIRE(line.back() == '\n');
   REQUIRE(line.find('\n') == line.size() - 1);
   return Json::parse(line);

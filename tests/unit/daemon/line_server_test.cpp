@@ -2,21 +2,41 @@
 
 #include <doctest/doctest.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "control_socket.hpp"
 #include "rigsound/device_error.hpp"
+#include "temporary_folder.hpp"
 
 using namespace rigsound;
 using namespace rigsound::daemon;
 
 namespace {
 
+/// Answers in brackets, has `news` when there is some, and ends with "bye".
+struct Brackets : Conversation {
+  explicit Brackets(const std::string& said, int& missed_by) : unasked(said), missed(missed_by) {}
+  std::string answer(const std::string& request) override {
+    done = request == "bye";
+    return "<" + request + ">\n";
+  }
+  std::string news(double) override { return unasked; }
+  void news_not_taken(double) override { ++missed; }
+  bool over() const override { return done; }
+
+  const std::string& unasked;
+  int& missed;
+  bool done = false;
+};
+
 struct Served {
-  Served() : server(listen_unix(path), {"\n", false, [](const std::string& r) { return "<" + r + ">\n"; }}) {}
+  Served() : server(listen_unix(path), {"\n", [this] { return std::make_unique<Brackets>(news, missed); }}) {}
   ~Served() { ::unlink(path.c_str()); }
 
   FileDescriptor client() const {
@@ -31,6 +51,8 @@ struct Served {
   std::string path =
       (std::filesystem::temp_directory_path() / ("rigsound_" + std::to_string(::getpid()) + ".sock"))
           .string();
+  std::string news;
+  int missed = 0;
   LineServer server;
 };
 
@@ -52,12 +74,87 @@ TEST_CASE("Requests in pieces and several at once are answered in turn, to the c
   const FileDescriptor a = s.client(), b = s.client();
   say(a, "on");
   say(b, "x\ny\n");
-  s.server.serve();
+  CHECK(s.server.serve());  // one of them at a time, so that nobody waits for another's many
   CHECK(heard(a).empty());
-  CHECK(heard(b) == "<x>\n<y>\n");
+  CHECK(heard(b) == "<x>\n");
   say(a, "e\n");
-  s.server.serve();
+  CHECK_FALSE(s.server.serve());
   CHECK(heard(a) == "<one>\n");
+  CHECK(heard(b) == "<y>\n");
+}
+
+TEST_CASE("All requests of a client that sends no more are answered before it is closed") {
+  Served s;
+  const FileDescriptor client = s.client();
+  say(client, "x\ny\n");
+  ::shutdown(client.get(), SHUT_WR);
+  while (s.server.serve()) continue;
+  s.server.serve();
+  CHECK(heard(client) == "<x>\n<y>\n");
+  CHECK(heard(client) == "closed");
+}
+
+TEST_CASE("A conversation that is over is closed after its last words") {
+  Served s;
+  const FileDescriptor client = s.client();
+  say(client, "bye\nx\n");
+  s.server.serve();
+  CHECK(heard(client) == "<bye>\n");
+  CHECK(heard(client) == "closed");
+}
+
+TEST_CASE(
+    "News come unasked; a client that does not take them keeps one, misses the others and holds up nobody") {
+  Served s;
+  const FileDescriptor slow = s.client(), other = s.client();
+  s.server.serve();
+  s.server.tell_news(0);
+  CHECK(heard(other).empty());
+  s.news = std::string(100000, 'n') + "\n";
+  const auto hear_all = [&] {
+    std::size_t bytes = 0;
+    for (std::string got = heard(other); !got.empty(); got = heard(other)) bytes += got.size();
+    return bytes;
+  };
+  int rounds = 0;
+  std::size_t other_bytes = 0;
+  for (; s.missed < 1000 && rounds < 1100; ++rounds) {
+    s.server.tell_news(rounds);
+    do {
+      s.server.serve();
+      const std::size_t got = hear_all();
+      other_bytes += got;
+      if (got == 0) break;
+    } while (true);
+  }
+  CHECK(s.missed == 1000);
+  CHECK(other_bytes == rounds * s.news.size());
+  std::size_t slow_bytes = 0;
+  for (std::string got = heard(slow); !got.empty(); got = heard(slow)) {
+    slow_bytes += got.size();
+    s.server.serve();
+  }
+  CHECK(slow_bytes == (rounds - 1000) * s.news.size());  // whole ones, none torn
+}
+
+TEST_CASE("When all places are taken the next client gets that of the one that was silent longest") {
+  Served s;
+  std::vector<FileDescriptor> clients;
+  for (int i = 0; i < 32; ++i) {
+    clients.push_back(s.client());
+    s.server.serve();
+  }
+  say(clients[0], "x\n");
+  s.server.serve();
+  CHECK(heard(clients[0]) == "<x>\n");
+  const FileDescriptor next = s.client();
+  s.server.serve();
+  CHECK(heard(clients[1]) == "closed");
+  say(next, "y\n");
+  say(clients[0], "z\n");
+  s.server.serve();
+  CHECK(heard(next) == "<y>\n");
+  CHECK(heard(clients[0]) == "<z>\n");
 }
 
 TEST_CASE("A client without an end is closed, the others stay") {
@@ -73,14 +170,60 @@ TEST_CASE("A client without an end is closed, the others stay") {
   CHECK(heard(other) == "<x>\n");
 }
 
+TEST_CASE("A client that floods is closed before it has taken more than 64 KiB of memory, and a few") {
+  Served s;
+  const FileDescriptor flood = s.client();
+  std::size_t sent = 0;
+  const std::string much(1 << 20, 'a');
+  for (int i = 0; i < 100; ++i) {
+    const ssize_t got = ::send(flood.get(), much.data(), much.size(), MSG_NOSIGNAL);
+    if (got <= 0) break;
+    sent += static_cast<std::size_t>(got);
+    s.server.serve();
+  }
+  CHECK(sent < (1 << 20));  // what the kernel keeps, and a request
+}
+
+namespace {
+
+struct SocketPath {
+  explicit SocketPath(const std::string& name) : text((folder.path / name).string()) {}
+  struct stat about() const {
+    struct stat s {};
+    REQUIRE(::lstat(text.c_str(), &s) == 0);
+    return s;
+  }
+  test::TemporaryFolder folder;
+  std::string text;
+};
+
+}  // namespace
+
 TEST_CASE("A dead socket is replaced, a living one is not; only user and group may use it") {
-  const std::string path =
-      (std::filesystem::temp_directory_path() / ("rigsound_dead_" + std::to_string(::getpid()))).string();
-  { const FileDescriptor dead = listen_unix(path); }
-  const FileDescriptor alive = listen_unix(path);
-  CHECK_THROWS_AS(listen_unix(path), DeviceError);
-  const auto mode = std::filesystem::status(path).permissions();
-  CHECK((mode & std::filesystem::perms::others_all) == std::filesystem::perms::none);
-  ::unlink(path.c_str());
+  const SocketPath path("s");
+  { const FileDescriptor dead = listen_unix(path.text); }
+  const FileDescriptor alive = listen_unix(path.text);
+  CHECK_THROWS_AS(listen_unix(path.text), DeviceError);
+  CHECK((path.about().st_mode & 0777) == 0660);
   CHECK_THROWS_AS(listen_unix(std::string(200, 'x')), DeviceError);
+}
+
+TEST_CASE("Mode and group of the socket are those asked for") {
+  const SocketPath path("s");
+  const gid_t own = ::getegid();
+  gid_t groups[64];
+  const int count = ::getgroups(64, groups);
+  const gid_t other = ::geteuid() == 0 ? own + 1 : count > 0 ? groups[count - 1] : own;
+  const FileDescriptor socket = listen_unix(path.text, {other, 0606});
+  CHECK((path.about().st_mode & 0777) == 0606);
+  CHECK(path.about().st_gid == other);
+}
+
+TEST_CASE("What is no socket stays, whether a rig names it as one or not") {
+  const SocketPath path("notes.txt");
+  path.folder.write("notes.txt", "mine");
+  CHECK(test::complaint([&] { listen_unix(path.text); }) ==
+        path.text + ": cannot listen: something that is no socket lies there");
+  remove_socket(path.text);
+  CHECK(test::content(path.text) == "mine");
 }

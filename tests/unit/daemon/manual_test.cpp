@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "daemon/running_daemon.hpp"
+#include "rigsound/session/session_folder.hpp"
 #include "rigsound/session/session_states.hpp"
 
 using namespace rigsound;
@@ -28,11 +29,11 @@ constexpr const char* kAbsentBuses =
 TEST_CASE("A rig whose bus and DBC do not exist drills by hand, is marked so, and its session says it") {
   const SmallRig rig;
   rig.write_rig(kAbsentBuses);
-  const fs::path session = rig.folder.path / "s.rigsession";
+  const fs::path sessions = rig.folder.path / "sessions";
   const std::string file = (rig.folder.path / "rig.toml").string();
   CHECK_FALSE(complaint([&] { const daemon::Daemon daemon({file, {}}); }).empty());
   {
-    daemon::Daemon daemon({file, {session, 1 << 20}, config::Buses::kLeftOut});
+    daemon::Daemon daemon({file, {sessions, 1 << 20}, config::Buses::kLeftOut});
     const Running running(daemon);
     const nlohmann::json silent = status(rig.socket());
     CHECK(silent["no_buses"] == true);
@@ -59,7 +60,7 @@ TEST_CASE("A rig whose bus and DBC do not exist drills by hand, is marked so, an
     CHECK(signal_of(status(rig.socket()), "engine_rpm")["validity"] == "manual");
   }
   bool held = false, released = false;
-  const session::SessionStates told(rig.folder.path / "s.1.rigsession");  // the reload began the next one
+  const session::SessionStates told(session::newest_session(sessions));
   for (const session::SessionStates::Change& change : told.changes()) {
     const bool now = is_by_hand(change.state, {Signal::kFeedPressureBar, 1});
     held = held || (now && change.state.boom[1].feed_pressure_bar == 150);

@@ -59,23 +59,44 @@ struct SmallRig {
   TemporaryFolder folder;
 };
 
+/// A client of the control socket.
+class Line {
+ public:
+  explicit Line(const std::string& path) : fd_(::socket(AF_UNIX, SOCK_STREAM, 0)) {
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    path.copy(address.sun_path, path.size());
+    REQUIRE(::connect(fd_.get(), reinterpret_cast<sockaddr*>(&address), sizeof address) == 0);
+  }
+  void say(const nlohmann::json& request) const {
+    const std::string line = request.dump() + "\n";
+    REQUIRE(::send(fd_.get(), line.data(), line.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(line.size()));
+  }
+  nlohmann::json next() {
+    std::size_t end = 0;
+    char bytes[4096];
+    while ((end = text_.find('\n')) == std::string::npos) {
+      const ssize_t got = ::recv(fd_.get(), bytes, sizeof bytes, 0);
+      REQUIRE(got > 0);
+      text_.append(bytes, static_cast<std::size_t>(got));
+    }
+    const nlohmann::json said = nlohmann::json::parse(text_.substr(0, end));
+    text_.erase(0, end + 1);
+    return said;
+  }
+  nlohmann::json ask(const nlohmann::json& request) {
+    say(request);
+    return next();
+  }
+
+ private:
+  FileDescriptor fd_;
+  std::string text_;
+};
+
 /// What the daemon answers to one request.
 inline nlohmann::json ask(const std::string& path, const nlohmann::json& request) {
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  path.copy(address.sun_path, path.size());
-  const FileDescriptor fd(::socket(AF_UNIX, SOCK_STREAM, 0));
-  REQUIRE(::connect(fd.get(), reinterpret_cast<sockaddr*>(&address), sizeof address) == 0);
-  const std::string line = request.dump() + "\n";
-  REQUIRE(::send(fd.get(), line.data(), line.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(line.size()));
-  std::string text;
-  char bytes[4096];
-  while (text.empty() || text.back() != '\n') {
-    const ssize_t got = ::recv(fd.get(), bytes, sizeof bytes, 0);
-    if (got <= 0) break;
-    text.append(bytes, static_cast<std::size_t>(got));
-  }
-  return nlohmann::json::parse(text);
+  return Line(path).ask(request);
 }
 
 inline nlohmann::json status(const std::string& path) { return ask(path, {{"command", "status"}}); }

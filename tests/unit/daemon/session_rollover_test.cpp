@@ -17,8 +17,8 @@ TEST_CASE("A start with sounds that the engine cannot play names the sound set")
 
 TEST_CASE("A session that is full when the sounds can no longer be played ends, the sound goes on") {
   const SmallRig rig;
-  const fs::path session = rig.folder.path / "s.session";
-  daemon::Daemon daemon({(rig.folder.path / "rig.toml").string(), {session, 4}});  // full from its start
+  daemon::Daemon daemon(
+      {(rig.folder.path / "rig.toml").string(), {rig.folder.path / "sessions", 4}});  // full from its start
   rig.trim_db(-60);
   const Running running(daemon);
   const auto broken = [](const nlohmann::json& s) {
@@ -33,5 +33,45 @@ TEST_CASE("A session that is full when the sounds can no longer be played ends, 
   const nlohmann::json later =
       status_when(rig.socket(), [&](const nlohmann::json& s) { return s["audio"]["blocks"] > blocks + 10; });
   CHECK(later["audio"]["blocks"] > blocks + 10);
-  CHECK(fs::exists(session));
+  CHECK(fs::exists(at_end["session"]["file"].get<std::string>()));
+}
+
+TEST_CASE("A reload that changes no sound goes on with the session, one that does begins the next") {
+  const SmallRig rig;
+  daemon::Daemon daemon({(rig.folder.path / "rig.toml").string(), {rig.folder.path / "sessions", 1 << 20}});
+  const Running running(daemon);
+  const auto reload = [&] {
+    CHECK(ask(rig.socket(), {{"command", "reload"}})["ok"] == true);
+    return status_when(rig.socket(),
+                       [](const nlohmann::json& s) { return s["session"]["recording"] == true; });
+  };
+  const auto file = [](const nlohmann::json& status) { return status["session"]["file"].get<std::string>(); };
+  const std::string first = file(
+      status_when(rig.socket(), [](const nlohmann::json& s) { return s["session"]["recording"] == true; }));
+  ask(rig.socket(), {{"command", "set"}, {"key", "engine_rpm"}, {"value", 900}});
+  status_when(rig.socket(), [](const nlohmann::json& s) { return s["meters"]["diesel"]["rms_db"] > -140; });
+
+  CHECK(file(reload()) == first);
+  rig.write_rig("[safety]\nfade_ms = 500\n");
+  const nlohmann::json other_safety = reload();
+  CHECK(file(other_safety) == first);
+  CHECK(other_safety["reloads"] == 2);
+  rig.write_rig("[mix]\ndrill_db = -3\n");
+  reload();
+  const std::string second = file(status_when(rig.socket(), [&](const nlohmann::json& s) {
+    return s["session"]["recording"] == true && s["session"]["file"] != first;
+  }));
+  CHECK(second > first);
+  CHECK(fs::exists(first));
+  CHECK(fs::exists(second));
+}
+
+TEST_CASE("A rig named as the folder of sessions is refused, and stays") {
+  const SmallRig rig;
+  const fs::path file = rig.folder.path / "rig.toml";
+  const std::string before = content(file);
+  CHECK(complaint([&] {
+          const daemon::Daemon daemon({file.string(), {file, 1 << 20}});
+        }).rfind(file.string() + ": is no folder", 0) == 0);
+  CHECK(content(file) == before);
 }

@@ -27,9 +27,8 @@ TEST_CASE("A change is in the next state at once, with the live controls") {
   CHECK(states.at(monotonic_s()).engine_rpm == 0);
   say(exchange, {Signal::kEngineRpm}, 1500);
   CHECK(states.at(monotonic_s()).engine_rpm == 1500);
-  DrillControls controls;
-  controls.decay_factor = 2;
-  exchange.set_controls(1, controls);
+  for (const ControlInfo& control : control_table())
+    if (control.name == "decay_factor") exchange.set_control(1, control, 2);
   CHECK(states.at(monotonic_s()).boom[1].controls.decay_factor == 2);
   CHECK(states.at(monotonic_s()).boom[0].controls.decay_factor == 1);
 }
@@ -99,7 +98,7 @@ TEST_CASE("Several writers and one reader at once") {
   LiveStates states(exchange.handoff());
   std::atomic<bool> stop{false};
   std::thread control([&] {
-    while (!stop) exchange.set_controls(0, {});
+    while (!stop) exchange.set_control(0, control_table()[0], 1);
   });
   std::thread bus([&] {
     for (int i = 0; i < 5000; ++i) say(exchange, {Signal::kFeedPressureBar}, i % 300);

@@ -27,6 +27,14 @@ Json ControlClient::ask(const Json& request) {
   const std::string line = request.dump() + "\n";
   if (::send(fd_.get(), line.data(), line.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(line.size()))
     throw DeviceError(socket_ + ": rigsoundd has gone");
+  Json answer = Json::parse(next_line());
+  if (!answer.value("ok", false)) throw std::runtime_error(answer.value("error", "refused"));
+  return answer;
+}
+
+Json ControlClient::next_event() { return Json::parse(next_line()); }
+
+std::string ControlClient::next_line() {
   std::size_t end = 0;
   while ((end = unread_.find('\n')) == std::string::npos) {
     std::array<char, 65536> bytes{};
@@ -34,10 +42,9 @@ Json ControlClient::ask(const Json& request) {
     if (got <= 0) throw DeviceError(socket_ + ": rigsoundd has gone");
     unread_.append(bytes.data(), static_cast<std::size_t>(got));
   }
-  Json answer = Json::parse(unread_.substr(0, end));
+  std::string line = unread_.substr(0, end);
   unread_.erase(0, end + 1);
-  if (!answer.value("ok", false)) throw std::runtime_error(answer.value("error", "refused"));
-  return answer;
+  return line;
 }
 
 }  // namespace rigsound::tools

@@ -18,7 +18,13 @@ class ControlClient {
   /// Errors: DeviceError when the daemon goes away, std::runtime_error with its words when it refuses.
   Json ask(const Json& request);
 
+  /// The next line that the daemon says unasked, to a client that has subscribed; waits for it. Errors:
+  /// DeviceError when the daemon goes away.
+  Json next_event();
+
  private:
+  std::string next_line();
+
   std::string socket_;
   FileDescriptor fd_;
   std::string unread_;

@@ -5,6 +5,7 @@
 
 #include "rigsound/can/can_options.hpp"
 #include "rigsound/modbus/modbus_bus.hpp"
+#include "rigsound/osc/osc_options.hpp"
 #include "rigsound/udp/udp_options.hpp"
 
 namespace rigsound::config {
@@ -14,5 +15,6 @@ namespace rigsound::config {
 std::string bus_text(const can::CanOptions& bus);
 std::string bus_text(const modbus::Line& line);
 std::string bus_text(const udp::UdpOptions& input);
+std::string bus_text(const osc::OscOptions& osc);  ///< of its input
 
 }  // namespace rigsound::config

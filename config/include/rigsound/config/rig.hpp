@@ -14,18 +14,29 @@
 #include "rigsound/log/bus_log.hpp"
 #include "rigsound/machine/signal_board.hpp"
 #include "rigsound/modbus/modbus_options.hpp"
+#include "rigsound/osc/osc_options.hpp"
 #include "rigsound/udp/udp_options.hpp"
 
 namespace rigsound::config {
 
 struct ControlOptions {
   std::string socket = "/run/rigsound/control.sock";  ///< path of the control socket; empty: none
+  std::string group;                                  ///< the socket's; empty: the daemon's own
+  int group_line = 0;                                 ///< of the rig file, for messages
+  std::string mode = "0660";                          ///< the socket's, octal
+  unsigned mode_bits = 0660;                          ///< taken from `mode`
+  std::string tcp;                                    ///< the same on a loopback HOST:PORT; empty: off
+  std::string token_file;                             ///< of the token that a client on `tcp` must say first
   std::string metrics;                                ///< HOST:PORT for OpenMetrics; empty: off
 };
 
 template <class Archive>
 void fields(Archive& a, ControlOptions& o) {
   a("socket", o.socket);
+  a("group", o.group);
+  a("mode", o.mode);
+  a("tcp", o.tcp);
+  a("token_file", o.token_file);
   a("metrics", o.metrics);
 }
 
@@ -42,6 +53,7 @@ struct Rig {
   std::vector<can::CanOptions> can;
   std::vector<modbus::ModbusOptions> modbus;
   std::vector<udp::UdpOptions> udp;
+  osc::OscOptions osc;
   ControlOptions control;
   std::vector<std::string>
       doubts;  ///< what is probably a mistake, `FILE:LINE: KEY: what is odd, what was meant?`
@@ -73,6 +85,10 @@ Rig rig_of(const PackedSet& set, const std::filesystem::path& file);
 /// The engine of the rig with the sounds of load_sounds. Errors: InputError naming the sound set when the
 /// engine cannot play it. Thread: OFF.
 Engine build_engine(const Rig& rig, SoundSet sounds);
+
+/// What `[control] token_file` holds; empty without one. Errors: InputError when it is no token, or anybody
+/// may read it. Thread: OFF.
+std::string control_token(const Rig& rig);
 
 /// The buses of the rig, for reading a log of them.
 log::Buses buses_of(const Rig& rig);

@@ -7,14 +7,21 @@
 #include <vector>
 
 #include "rigsound/audio/block_loop.hpp"
+#include "rigsound/machine/input_error.hpp"
 #include "rigsound/session/session_writer.hpp"
 
 namespace rigsound::session {
 
+/// A session that ended before its first whole chunk.
+class SessionWithoutState : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// Thread: OFF.
 class SessionStates : public audio::StateSource {
  public:
-  /// Errors: InputError for a file that is no session, of another format, or without a single whole chunk.
+  /// Errors: InputError for a file that is no session or of another format, SessionWithoutState.
   explicit SessionStates(const std::filesystem::path& file);
 
   const SessionHeader& header() const { return header_; }

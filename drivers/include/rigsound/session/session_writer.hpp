@@ -30,8 +30,9 @@ struct SessionHeader {
 /// Thread: CT.
 class SessionWriter {
  public:
-  /// Starts a new file. Errors: DeviceError.
-  SessionWriter(std::filesystem::path file, const SessionHeader& header);
+  /// `fd`: of the empty file that the session is written to; it stays locked (flock) until the end.
+  /// Errors: DeviceError.
+  SessionWriter(std::filesystem::path file, FileDescriptor fd, const SessionHeader& header);
 
   /// `state` acts from `block` on. Blocks must rise; the first is block 0.
   void add(std::uint64_t block, const MachineState& state);
@@ -41,6 +42,7 @@ class SessionWriter {
   void flush(std::uint64_t blocks);
 
   std::uint64_t bytes() const { return bytes_; }
+  const std::filesystem::path& file() const { return file_; }
 
  private:
   void append(const std::string& bytes);
@@ -52,9 +54,5 @@ class SessionWriter {
   std::vector<std::uint32_t> last_words_;
   std::uint64_t last_block_ = 0;
 };
-
-/// Where older sessions go: NAME.rigsession becomes NAME.1.rigsession, that NAME.2.rigsession, and so on;
-/// only `keep` older ones stay. Errors: DeviceError.
-void shift_older_sessions(const std::filesystem::path& file, int keep);
 
 }  // namespace rigsound::session

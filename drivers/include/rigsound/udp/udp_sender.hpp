@@ -13,7 +13,8 @@ class UdpSender {
   /// `address`: HOST:PORT or [V6]:PORT.
   explicit UdpSender(const std::string& address);
 
-  bool send(const std::string& text) const;  ///< false when nobody listens there, or it is too long
+  /// Never waits. False when nobody listens there, when it is too long, or when the network takes no more.
+  bool send(const std::string& text) const;
 
  private:
   FileDescriptor socket_;

@@ -163,6 +163,7 @@ TEST_CASE("demo.toml names every key of every list once a table, with its range 
   require_named("can", KeyList::of<can::CanOptions>({"dbc", "j1939"}));
   require_named("modbus", KeyList::of<modbus::ModbusOptions>({"allow"}));
   require_named("udp", KeyList::of<udp::UdpOptions>({"allow", "signals"}));
+  require_named("osc", KeyList::of<osc::OscOptions>({"allow", "signals", "targets"}));
   require_named("control", KeyList::of<config::ControlOptions>());
 }
 

@@ -82,6 +82,8 @@ TEST_CASE("the shortest rig has the defaults that demo.toml shows") {
   for (int i = 0; i < kSignalCount; ++i)
     CHECK(rule(demo, static_cast<Signal>(i)).action == rule(shortest, static_cast<Signal>(i)).action);
   CHECK(demo.control.socket == shortest.control.socket);
+  CHECK(demo.control.group == shortest.control.group);
+  CHECK(demo.control.mode == shortest.control.mode);
   CHECK(demo.control.metrics == shortest.control.metrics);
   CHECK(demo.engine.booms[0].name == shortest.engine.booms[0].name);
   CHECK(shortest.sound_set.empty());
@@ -480,4 +482,14 @@ TEST_CASE("a UDP input takes what no other bus delivers, or what it is told") {
   CHECK(refusal("[[udp]]\nallow = [\"10.0.0.1/8\"]\n").find("is no network") != std::string::npos);
   CHECK(refusal("[[udp]]\n[[udp]]\naddress = \"127.0.0.1:1504\"\n")
             .find("none left that no other bus delivers") != std::string::npos);
+}
+
+TEST_CASE("the mode of the control socket is octal, for its user at least, and lets nobody run it") {
+  CHECK(loaded("[control]\nmode = \"0666\"\n").control.mode_bits == 0666);
+  CHECK(loaded("[control]\nmode = \"600\"\n").control.mode_bits == 0600);
+  CHECK(loaded("").control.mode_bits == 0660);
+  for (const char* wrong : {"", "0", "0770", "0460", "02660", "0668", "rw", "-660", " 660", "1666"})
+    CHECK(refusal("[control]\nmode = \"" + std::string(wrong) + "\"\n") ==
+          ":2: control.mode: is \"" + std::string(wrong) +
+              "\", expected \"0600\"...\"0666\", octal: 6 or 4 or 2 or 0 of group and others");
 }

@@ -1,0 +1,169 @@
+#include "rigsound/session/session_folder.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rigsound/device_error.hpp"
+#include "rigsound/file/file_descriptor.hpp"
+#include "rigsound/machine/input_error.hpp"
+#include "rigsound/session/session_states.hpp"
+#include "session/session_format.hpp"
+
+namespace rigsound::session {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view kNamePattern = "0000-00-00T00-00-00.000Z.rigsession";
+constexpr std::size_t kMostSessions = 1000;
+constexpr std::time_t kBrief_s = 10;
+constexpr std::uintmax_t kMostSilentBytes = 16 << 10;  // of 10 s of fades and nothing else
+
+std::string name_at(std::chrono::system_clock::time_point time) {
+  const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(time.time_since_epoch()).count();
+  const std::time_t seconds = ms / 1000;
+  std::tm utc{};
+  ::gmtime_r(&seconds, &utc);
+  char second[32], millisecond[8];
+  std::strftime(second, sizeof second, "%Y-%m-%dT%H-%M-%S", &utc);
+  std::snprintf(millisecond, sizeof millisecond, ".%03d", static_cast<int>(ms % 1000));
+  return std::string(second).append(millisecond).append("Z.rigsession");
+}
+
+bool named_by_time(std::string_view name) {
+  const auto alike = [](char given, char wanted) {
+    return wanted == '0' ? given >= '0' && given <= '9' : given == wanted;
+  };
+  return name.size() == kNamePattern.size() &&
+         std::equal(name.begin(), name.end(), kNamePattern.begin(), alike);
+}
+
+/// When the session of that name began, s since 1970.
+std::time_t begin_s(const std::string& name) {
+  std::tm utc{};
+  ::strptime(name.c_str(), "%Y-%m-%dT%H-%M-%S", &utc);
+  return ::timegm(&utc);
+}
+
+struct OldSession {
+  fs::path file;
+  std::uintmax_t bytes = 0;
+  bool brief = false;  ///< under 10 s
+};
+
+/// Nothing for what is no regular file, does not begin as a session does, or is being written.
+std::optional<OldSession> finished_session(const fs::path& file) {
+  const FileDescriptor fd(::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  struct stat about {};
+  std::string title(kSessionTitle.size(), '\0');
+  const bool ours = fd && ::fstat(fd.get(), &about) == 0 && S_ISREG(about.st_mode) &&
+                    ::read(fd.get(), title.data(), title.size()) == static_cast<ssize_t>(title.size()) &&
+                    title == kSessionTitle && ::flock(fd.get(), LOCK_SH | LOCK_NB) == 0;
+  if (!ours) return std::nullopt;
+  // Twice a second its writer writes. When the clock was set back in between, how long it was is not known.
+  const std::time_t length_s = about.st_mtime - begin_s(file.filename().string());
+  return OldSession{file, static_cast<std::uintmax_t>(about.st_size), length_s >= 0 && length_s < kBrief_s};
+}
+
+/// Of the folder, oldest first.
+std::vector<OldSession> sessions_in(const fs::path& folder) {
+  std::vector<OldSession> sessions;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (named_by_time(entry.path().filename().string()))
+      if (auto session = finished_session(entry.path())) sessions.push_back(std::move(*session));
+  std::sort(sessions.begin(), sessions.end(),
+            [](const OldSession& a, const OldSession& b) { return a.file < b.file; });
+  return sessions;
+}
+
+/// Whether neither a bus nor a user said anything in it. Of one that another version wrote nothing is known.
+bool tells_nothing(const fs::path& file) {
+  const auto neutral = [](SessionStates::Change change) {
+    change.state.output_gain = MachineState{}.output_gain;  // mute and the daemon's own fades
+    return change.state == MachineState{};
+  };
+  try {
+    const SessionStates states(file);
+    return std::all_of(states.changes().begin(), states.changes().end(), neutral);
+  } catch (const SessionWithoutState&) {
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+void remove(const OldSession& session) {
+  std::error_code error;
+  fs::remove(session.file, error);
+}
+
+}  // namespace
+
+SessionFolder::SessionFolder(fs::path path, std::uint64_t limit_bytes)
+    : path_(std::move(path)), limit_bytes_(limit_bytes) {
+  if (fs::exists(path_) && !fs::is_directory(path_))
+    throw InputError(path_.string(), "is no folder, expected one for sessions, or a new name");
+}
+
+void SessionFolder::make_room() const {
+  std::vector<OldSession> brief, others;
+  std::uintmax_t bytes = 0;
+  for (const OldSession& session : sessions_in(path_)) {
+    if (session.brief && session.bytes < kMostSilentBytes && tells_nothing(session.file)) {
+      remove(session);
+      continue;
+    }
+    bytes += session.bytes;
+    (session.brief ? brief : others).push_back(session);
+  }
+  std::size_t count = brief.size() + others.size();
+  for (const std::vector<OldSession>* group : {&brief, &others})
+    for (const OldSession& session : *group) {
+      if (bytes + share() <= limit_bytes_ && count < kMostSessions) return;
+      remove(session);
+      bytes -= session.bytes;
+      --count;
+    }
+}
+
+std::unique_ptr<SessionWriter> SessionFolder::begin(const SessionHeader& header,
+                                                    std::chrono::system_clock::time_point now) {
+  std::error_code error;
+  fs::create_directories(path_, error);
+  if (error) throw DeviceError(path_.string() + ": session cannot be written: " + error.message());
+  make_room();
+  for (;; now += std::chrono::milliseconds(1)) {
+    const fs::path file = path_ / name_at(now);
+    FileDescriptor fd(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
+    if (fd) return std::make_unique<SessionWriter>(file, std::move(fd), header);
+    if (errno != EEXIST)
+      throw DeviceError(file.string() + ": session cannot be written: " + std::strerror(errno));
+  }
+}
+
+fs::path newest_session(const fs::path& path) {
+  if (!fs::is_directory(path)) return path;
+  std::string newest;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path)) {
+    const std::string name = entry.path().filename().string();
+    if (named_by_time(name) && name > newest) newest = name;
+  }
+  if (newest.empty())
+    throw InputError(path.string(), "holds no session, expected a folder of rigsoundd --session");
+  return path / newest;
+}
+
+}  // namespace rigsound::session

@@ -1,0 +1,40 @@
+#include "control_conversation.hpp"
+
+#include <openssl/crypto.h>
+
+#include <nlohmann/json.hpp>
+
+#include "snapshot_json.hpp"
+
+namespace rigsound::daemon {
+
+// In a time that does not tell how much of it was right.
+bool ControlConversation::is_token(const std::string& request) const {
+  const nlohmann::json said = nlohmann::json::parse(request, nullptr, false);
+  if (!said.is_object() || said.size() != 1 || !said.contains("token") || !said["token"].is_string())
+    return false;
+  const std::string& token = said["token"].get_ref<const std::string&>();
+  return token.size() == token_.size() && ::CRYPTO_memcmp(token.data(), token_.data(), token.size()) == 0;
+}
+
+std::string ControlConversation::answer(const std::string& request) {
+  if (!admitted_) {
+    admitted_ = is_token(request);
+    turned_away_ = !admitted_;
+    return admitted_ ? "{\"ok\":true}\n"
+                     : "{\"ok\":false,\"error\":\"expected {\\\"token\\\": TOKEN} first, with that of the "
+                       "token_file\"}\n";
+  }
+  return daemon::answer(request, daemon_, subscription_);
+}
+
+std::string ControlConversation::news(double now_s) {
+  if (!subscription_ || !subscription_->due(now_s)) return {};
+  return subscription_->line(status_json(daemon_.snapshot()), now_s);
+}
+
+void ControlConversation::news_not_taken(double now_s) {
+  if (subscription_ && subscription_->due(now_s)) subscription_->miss(now_s);
+}
+
+}  // namespace rigsound::daemon
