@@ -96,7 +96,7 @@ class WrongUsage(unittest.TestCase):
     def test_shards_count_from_one(self):
         for shard in ('0/4', '5/4', '1/0', '2', '1/4x'):
             self.refused(f'analyze in --out out --shard {shard}',
-                         f"--shard: '{shard}' is wrong, expected I/N with I from 1 to N")
+                         f"--shard: '{shard}' is wrong, expected I/N with I from 1 to N, or auto")
 
     def test_missing(self):
         self.refused('check', 'RIG.toml is required')

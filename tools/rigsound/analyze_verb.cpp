@@ -10,6 +10,7 @@
 #include "rigsound/analysis/analyzer.hpp"
 #include "rigsound/analysis/report.hpp"
 #include "rigsound/file/atomic_file.hpp"
+#include "shard.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -25,13 +26,6 @@ struct AnalyzeArguments {
   AnalyzerOptions options;
 };
 
-void read_shard(const std::string& text, AnalyzerOptions& options) {
-  int read = 0;
-  if (std::sscanf(text.c_str(), "%d/%d%n", &options.shard, &options.shards, &read) != 2 ||
-      read != static_cast<int>(text.size()) || options.shard < 1 || options.shard > options.shards)
-    throw cli::UsageError("--shard", "'" + text + "' is wrong, expected I/N with I from 1 to N");
-}
-
 AnalyzerOptions options_of(const AnalyzeArguments& a) {
   AnalyzerOptions options = a.options;
   options.inputs.assign(a.inputs.begin(), a.inputs.end());
@@ -44,7 +38,8 @@ AnalyzerOptions options_of(const AnalyzeArguments& a) {
   options.denoise = !a.no_denoise;
   options.report = a.report.empty() ? ReportSections::kSkip : ReportSections::kWrite;
   options.tool_version = RIGSOUND_VERSION;
-  read_shard(a.shard, options);
+  const Shard shard = read_shard(a.shard);
+  options.shard = shard.number, options.shards = shard.count;
   return options;
 }
 
@@ -111,7 +106,10 @@ void add_analyze(cli::Verb& program) {
   verb.option("--jobs", o.jobs, "parts analysed at the same time; banks do not depend on it")
       .range(1, 256)
       .shows_default();
-  verb.option("--shard", a->shard, "I/N: this run does every N-th part, I from 1 to N").shows_default();
+  verb.option("--shard", a->shard,
+              "I/N: this run does every N-th part, I from 1 to N; auto: I and N of the Slurm array it is a "
+              "task of, whatever number that begins with")
+      .shows_default();
   verb.option("--report", a->report, "also write one self-contained HTML page that shows every bank");
   verb.option("--method", a->method, "click-nmf, or paper: the drilling paper's own chain")
       .one_of({"click-nmf", "paper"})
@@ -132,6 +130,7 @@ void add_analyze(cli::Verb& program) {
   verb.example("rigsound analyze recordings/ --out soundset --jobs 4 --report report.html");
   verb.example(
       "rigsound analyze feed/ramp.wav --bus-log feed/ramp.log --rig config/rigs/demo.toml --out soundset");
+  verb.example("sbatch --array=0-7 --wrap 'rigsound analyze recordings/ --out soundset --shard auto'");
   verb.callback([a] { analyze(*a); });
 }
 
