@@ -66,12 +66,23 @@ class WrongUsage(unittest.TestCase):
         self.refused('rendr rig.toml --log a.log', 'unknown verb rendr, did you mean render?')
         self.refused('--json rendr', 'unknown option --json')
         self.refused('xylophone', 'unknown verb xylophone')
+        self.refused('dceode', 'unknown verb dceode, did you mean decode?')
+        self.refused('toool', 'unknown verb toool, did you mean tool?')
         self.refused('', 'expected a verb')
 
     def test_unknown_command_names_the_nearest(self):
         self.refused('ctl statsu', 'unknown command statsu, did you mean status?')
         self.refused('ctl --socket s.sock mut', 'unknown command mut, did you mean mute?')
         self.refused('ctl', 'expected a command')
+
+    def test_unknown_option_names_the_nearest_of_its_verb(self):
+        self.refused('render rig.toml --lgo a.log --out o.wav', 'unknown option --lgo, did you mean --log?')
+        self.refused('render rig.toml --log a.log --out o.wav --sede=3', 'unknown option --sede, did you mean --seed?')
+        self.refused('resynth b o.wav --seconds 2 --dacey 1', 'unknown option --dacey, did you mean --decay?')
+        self.refused('ctl set engine_rpm 3 --scoket s', 'unknown option --scoket, did you mean --socket?')
+        self.refused('check rig.toml --colour', 'unknown option --colour')
+        self.refused('check rig.toml other.toml', 'unexpected word other.toml')
+        self.refused('rig.toml --manaul', 'unknown option --manaul, did you mean --manual?', program=RIGSOUNDD)
 
     def test_decimal_comma(self):
         self.refused('tool --length 0,5 --diameter 0.025', "--length: '0,5' is no number, expected a decimal point: 0.5")
