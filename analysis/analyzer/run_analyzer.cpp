@@ -80,17 +80,18 @@ void run_task(Task& task, const AnalyzerOptions& options) {
 }
 
 /// Counts analysed parts and tells the caller, one thread at a time.
-class ProgressCount {
+class Announcer {
  public:
-  ProgressCount(const AnalyzerProgress& tell, int total) : tell_(tell), total_(total) {}
+  Announcer(const AnalyzerListener& listener, int total) : listener_(listener), total_(total) {}
   void add(const Task& task) {
     const std::lock_guard<std::mutex> lock(mutex_);
     task.done&& task.done->kept ? --total_ : ++analysed_;
-    if (tell_) tell_(analysed_, total_);
+    if (task.done && listener_.done) listener_.done(*task.done);
+    if (listener_.progress) listener_.progress(analysed_, total_);
   }
 
  private:
-  const AnalyzerProgress& tell_;
+  const AnalyzerListener& listener_;
   std::mutex mutex_;
   int analysed_ = 0, total_;
 };
@@ -137,7 +138,7 @@ void merge(const std::vector<AnalysedPart>& banks, const AnalyzerOptions& option
 
 }  // namespace
 
-AnalyzerResult run_analyzer(const AnalyzerOptions& options, const AnalyzerProgress& progress) {
+AnalyzerResult run_analyzer(const AnalyzerOptions& options, const AnalyzerListener& listener) {
   PartList list = list_parts(options);
   std::error_code error;
   fs::create_directories(options.sound_set, error);
@@ -147,10 +148,10 @@ AnalyzerResult run_analyzer(const AnalyzerOptions& options, const AnalyzerProgre
   RunLock running(options.sound_set);
 
   std::vector<Task> tasks = tasks_of(list.parts, options);
-  ProgressCount count(progress, static_cast<int>(tasks.size()));
+  Announcer announcer(listener, static_cast<int>(tasks.size()));
   for_each_index(static_cast<int>(tasks.size()), options.jobs, [&](int i) {
     run_task(tasks[i], options);
-    count.add(tasks[i]);
+    announcer.add(tasks[i]);
   });
 
   AnalyzerResult result;

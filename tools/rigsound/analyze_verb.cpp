@@ -59,10 +59,15 @@ void analyze(const AnalyzeArguments& a) {
   AnalyzerResult result;
   {
     ProgressBar bar;
-    result = run_analyzer(options, [&bar](int analysed, int total) { bar.show(analysed, total); });
+    AnalyzerListener listener;
+    listener.done = [&bar](const AnalysedPart& part) {
+      bar.clear();  // both may be on one terminal
+      print_bank(part);
+      std::fflush(stdout);
+    };
+    listener.progress = [&bar](int analysed, int total) { bar.show(analysed, total); };
+    result = run_analyzer(options, listener);
   }
-  for (const AnalysedPart& p : result.banks) print_bank(p);
-  std::fflush(stdout);
   for (const std::string& note : result.notes) fmt::print(stderr, "{}\n", note);
   for (const AnalysedPart& p : result.banks)
     for (const std::string& warning : p.warnings)
@@ -117,7 +122,7 @@ void add_analyze(cli::Verb& program) {
   verb.option("--clicks", o.clicks, "most clicks in a bank").range(2, 1000).shows_default();
   verb.flag("--no-denoise", a->no_denoise, "take the recordings as clean");
   verb.details(
-      "One line a bank on stdout. Finished banks made from the same sound with the same settings are kept, "
+      "One line a bank on stdout, when it is done. Finished banks made from the same sound with the same settings are kept, "
       "so a "
       "run that was stopped goes on where it was. What gave no bank is listed at the end, and the exit code "
       "is "

@@ -24,7 +24,9 @@ std::string duration(double seconds) {
 
 ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) != 0) {}
 
-ProgressBar::~ProgressBar() {
+ProgressBar::~ProgressBar() { clear(); }
+
+void ProgressBar::clear() {
   if (terminal_) fmt::print(stderr, "\r{:{}}\r", "", kWidth + 40);
 }
 

@@ -15,6 +15,7 @@ class ProgressBar {
   ProgressBar& operator=(const ProgressBar&) = delete;
 
   void show(int done, int total);
+  void clear();  ///< until the next show(): room for other lines
 
  private:
   bool terminal_;
