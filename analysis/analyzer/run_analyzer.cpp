@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "analyzer/finished_bank.hpp"
 #include "analyzer/part_analysis.hpp"
@@ -48,10 +49,9 @@ std::vector<Task> tasks_of(const std::vector<Part>& parts, const AnalyzerOptions
 }
 
 AnalysedPart analyse(Task& task, const std::string& sha256, const AnalyzerOptions& options) {
-  const PartAnalysis analysis = analyse_part(task.part, options);
-  if (analysis.source_channels > 1)
-    task.note = fmt::format("{}: {} channels mixed down to one", task.part.recording.string(),
-                            analysis.source_channels);
+  Recording recording = read_part(task.part);
+  task.note = mix_down_note(task.part.recording, recording);
+  const PartAnalysis analysis = analyse_part(task.part, std::move(recording), options);
   const ClickBank& bank = analysis.built.bank;
   AnalysedPart analysed{
       task.part, false, bank.mean_gap_samples, static_cast<int>(bank.clicks.size()), analysis.built.figures,

@@ -33,8 +33,6 @@ Sound open(const std::filesystem::path& path, SF_INFO& info) {
 
 void check_format(const std::filesystem::path& path, const SF_INFO& info) {
   const std::string file = path.string();
-  if (info.channels > kMaxSourceChannels)
-    throw InputError(file, fmt::format("{} channels, expected 1 to {}", info.channels, kMaxSourceChannels));
   if (info.samplerate < kMinSourceRate)
     throw InputError(
         file, fmt::format("sample rate {} Hz, expected {} Hz or more", info.samplerate, kMinSourceRate));
@@ -78,7 +76,7 @@ std::vector<float> read_mixed_down(SNDFILE* sound, int channels, const Frames& f
 }
 
 void check_samples(const std::filesystem::path& path, const std::vector<float>& mono, sf_count_t begin,
-                   int rate, std::string_view subject) {
+                   int rate) {
   const auto bad = std::find_if(mono.begin(), mono.end(), [](float x) { return !std::isfinite(x); });
   if (bad != mono.end()) {
     const auto at = begin + (bad - mono.begin());
@@ -86,15 +84,14 @@ void check_samples(const std::filesystem::path& path, const std::vector<float>& 
                      fmt::format("sample {} ({:.3f} s) is not a number, expected finite samples", at,
                                  static_cast<double>(at) / rate));
   }
-  const auto [low, high] = std::minmax_element(mono.begin(), mono.end());
-  if (*high - *low < 1e-6f)
-    throw InputError(path.string(), fmt::format("silent, no {} found in it; expected to hear some", subject));
 }
 
-}  // namespace
+bool is_silent(const std::vector<float>& mono) {
+  const auto [low, high] = std::minmax_element(mono.begin(), mono.end());
+  return *high - *low < 1e-6f;
+}
 
-Recording read_recording(const std::filesystem::path& path, const Stretch& stretch,
-                         std::string_view subject) {
+Recording read_stretch(const std::filesystem::path& path, const Stretch& stretch) {
   SF_INFO info{};
   const Sound sound = open(path, info);
   check_format(path, info);
@@ -109,9 +106,30 @@ Recording read_recording(const std::filesystem::path& path, const Stretch& stret
     throw InputError(path.string(),
                      fmt::format("cut off after {} of {} frames, expected the whole file",
                                  frames.begin + static_cast<sf_count_t>(mono.size()), info.frames));
-  check_samples(path, mono, frames.begin, info.samplerate, subject);
-  return {resample(mono, info.samplerate, static_cast<int>(kAnalysisRate)), info.samplerate, info.channels,
-          static_cast<long>(mono.size()), clipped_share(mono)};
+  check_samples(path, mono, frames.begin, info.samplerate);
+  return {resample(mono, info.samplerate, static_cast<int>(kAnalysisRate)),
+          info.samplerate,
+          info.channels,
+          static_cast<long>(mono.size()),
+          is_silent(mono),
+          clipped_share(mono)};
+}
+
+}  // namespace
+
+Recording read_recording(const std::filesystem::path& path, const Stretch& stretch,
+                         std::string_view subject) {
+  Recording recording = read_stretch(path, stretch);
+  if (recording.silent)
+    throw InputError(path.string(), fmt::format("silent, no {} found in it; expected to hear some", subject));
+  return recording;
+}
+
+Recording read_recording_or_silence(const std::filesystem::path& path) { return read_stretch(path, {}); }
+
+std::string mix_down_note(const std::filesystem::path& path, const Recording& recording) {
+  if (recording.source_channels == 1) return {};
+  return fmt::format("{}: {} channels mixed down to one", path.string(), recording.source_channels);
 }
 
 double recording_seconds(const std::filesystem::path& path) {

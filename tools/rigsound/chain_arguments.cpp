@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "progress_bar.hpp"
+#include "read_recording.hpp"
 
 namespace rigsound::tools {
 
@@ -14,7 +15,7 @@ using namespace analysis;
 void add_chain_arguments(cli::Verb& verb, ChainArguments& arguments) {
   arguments.jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   verb.positional("IN.wav", arguments.input,
-                  "recording: any format of libsndfile, mono or stereo, 16 kHz or more")
+                  "recording: any format of libsndfile, 16 kHz or more; several channels are mixed down")
       .required();
   verb.option("--method", arguments.method, "click-nmf, or paper: the drilling paper's own chain")
       .one_of({"click-nmf", "paper"})
@@ -28,13 +29,18 @@ void add_chain_arguments(cli::Verb& verb, ChainArguments& arguments) {
 }
 
 Recording read_input(const ChainArguments& arguments) {
-  Recording recording = read_recording(arguments.input);
-  if (recording.source_channels > 1)
-    fmt::print(stderr, "{}: {} channels mixed down to one\n", arguments.input, recording.source_channels);
+  Recording recording = read_recording_or_silence(arguments.input);
+  tell_mix_down(arguments.input, recording);
   return recording;
 }
 
 ChainResult run_chain(const Recording& recording, const ChainArguments& arguments, Denoising denoising) {
+  if (recording.silent) {
+    ChainResult nothing;
+    nothing.reason = "it is silent";
+    nothing.drilling.resize(recording.mono.size());
+    return nothing;
+  }
   ProgressBar bar;
   ChainOptions options;
   options.method = arguments.method == "paper" ? Method::kPaper : Method::kClickNmf;

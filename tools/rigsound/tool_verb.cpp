@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "read_recording.hpp"
 #include "rigsound/analysis/tool_fit.hpp"
 #include "rigsound/analysis/tool_plot.hpp"
 #include "rigsound/config/sound_set_index.hpp"
@@ -83,7 +84,7 @@ void print_json(const std::vector<TunedMode>& modes, nlohmann::ordered_json json
 ToolModel model_of(const ToolOptions& o, nlohmann::ordered_json& json) {
   if (!o.recording.empty()) {
     const analysis::ToolFit fit = analysis::fit_tool(
-        analysis::read_recording(o.recording, {}, "struck steel"), o.recording, {o.length_m, o.diameter_m});
+        read_whole(o.recording, "struck steel"), o.recording, {o.length_m, o.diameter_m});
     report(fit);
     json["fit"] = fit_json(fit);
     return fit.model;

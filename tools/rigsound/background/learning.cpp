@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "read_recording.hpp"
 #include "rigsound/analysis/rate.hpp"
-#include "rigsound/analysis/recording.hpp"
 #include "rigsound/analysis/time_table.hpp"
 #include "rigsound/default_diesel.hpp"
 #include "rigsound/machine/input_error.hpp"
@@ -73,7 +73,7 @@ std::vector<analysis::DieselTake> read_takes(const LearningOptions& o) {
   require_matching(o);
   std::vector<analysis::DieselTake> takes;
   for (std::size_t i = 0; i < o.inputs.size(); ++i) {
-    const analysis::Recording recording = analysis::read_recording(o.inputs[i], {}, "engine");
+    const analysis::Recording recording = read_whole(o.inputs[i], "engine");
     analysis::DieselTake take;
     take.source = o.inputs[i];
     take.mono = recording.mono;
@@ -96,8 +96,8 @@ analysis::LearnedDiesel learn(const std::vector<analysis::DieselTake>& takes, co
   settings.name = name_of(o);
   analysis::LearnedDiesel learned = o.formula ? built_in() : analysis::learn_diesel(takes, settings);
   learned.model.name = settings.name;
-  if (!o.start.empty()) learned.model.start = analysis::read_recording(o.start, {}, "engine").mono;
-  if (!o.stop.empty()) learned.model.stop = analysis::read_recording(o.stop, {}, "engine").mono;
+  if (!o.start.empty()) learned.model.start = read_whole(o.start, "engine").mono;
+  if (!o.stop.empty()) learned.model.stop = read_whole(o.stop, "engine").mono;
   return learned;
 }
 

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "read_recording.hpp"
 #include "rigsound/analysis/rate.hpp"
-#include "rigsound/analysis/recording.hpp"
 #include "rigsound/analysis/wave_file.hpp"
 
 namespace rigsound::tools {
@@ -35,7 +35,7 @@ void model_note(const std::vector<std::string>& inputs, const std::string& resyn
   settings.one_over_f = o.energies == "one-over-f";
   settings.seed = seed;
   const analysis::NoteModel m = analysis::model_note(
-      inputs.front(), analysis::read_recording(inputs.front(), {}, "note").mono, settings);
+      inputs.front(), read_whole(inputs.front(), "note").mono, settings);
   if (!resynth.empty()) analysis::write_wave(resynth, m.sound, static_cast<int>(analysis::kAnalysisRate));
   if (json) {
     const nlohmann::ordered_json figures = {{"f0_hz", m.f0},
