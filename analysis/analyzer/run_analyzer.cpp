@@ -18,8 +18,10 @@
 #include "report/report_section.hpp"
 #include "rigsound/analysis/analyzer.hpp"
 #include "rigsound/analysis/parallel.hpp"
+#include "rigsound/config/sound_set_files.hpp"
 #include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/device_error.hpp"
+#include "rigsound/file/read_files.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
@@ -140,6 +142,9 @@ void merge(const std::vector<AnalysedPart>& banks, const AnalyzerOptions& option
 
 AnalyzerResult run_analyzer(const AnalyzerOptions& options, const AnalyzerListener& listener) {
   PartList list = list_parts(options);
+  require_apart({options.page}, list.read);
+  require_apart({options.page}, config::content_of(options.sound_set));
+  require_outside(options.sound_set / "banks", list.read);
   std::error_code error;
   fs::create_directories(options.sound_set, error);
   if (error) throw DeviceError(options.sound_set.string() + ": cannot be made: " + error.message());

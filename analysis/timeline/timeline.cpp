@@ -323,7 +323,7 @@ void Drawing::draw_spectrogram() {
 
 void write_timeline(const std::filesystem::path& picture, const std::filesystem::path& sound,
                     const std::filesystem::path& states, const TimelineOptions& options) {
-  require_not_read(picture, {sound, states});
+  require_apart({picture}, {sound, states});
   const session::StateTable table = session::read_states(states);
   const SoundFile heard = read_sound(sound);
   Drawing drawing(heard, table, options);

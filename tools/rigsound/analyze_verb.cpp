@@ -37,6 +37,7 @@ AnalyzerOptions options_of(const AnalyzeArguments& a) {
   options.method = a.method == "paper" ? Method::kPaper : Method::kClickNmf;
   options.denoise = !a.no_denoise;
   options.report = a.report.empty() ? ReportSections::kSkip : ReportSections::kWrite;
+  options.page = a.report;
   options.tool_version = RIGSOUND_VERSION;
   const Shard shard = read_shard(a.shard);
   options.shard = shard.number, options.shards = shard.count;

@@ -9,6 +9,7 @@
 #include "background/resynthesis.hpp"
 #include "rigsound/analysis/background_plot.hpp"
 #include "rigsound/config/background_files.hpp"
+#include "rigsound/config/sound_set_files.hpp"
 #include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/file/read_files.hpp"
 #include "verbs.hpp"
@@ -45,14 +46,21 @@ void learn_and_save(const BackgroundOptions& o) {
 
 /// What the verb reads: recordings, tracks of the speed, clicks to keep out.
 std::vector<std::filesystem::path> inputs(const BackgroundOptions& o) {
-  std::vector<std::filesystem::path> files;
+  std::vector<std::filesystem::path> files = {o.learning.start, o.learning.stop, o.resynthesis.track};
   for (const auto* names : {&o.learning.inputs, &o.learning.rpm_tracks, &o.learning.clicks})
     files.insert(files.end(), names->begin(), names->end());
   return files;
 }
 
 void run(const BackgroundOptions& o) {
-  for (const std::string& output : {o.plot, o.resynthesis.file}) require_not_read(output, inputs(o));
+  std::vector<std::filesystem::path> read = inputs(o);
+  if (!o.out.empty()) {
+    const std::filesystem::path sound_set = o.out;
+    require_outside(sound_set / "backgrounds" / background_name(o.learning), read);
+    const std::vector<std::filesystem::path> set = config::content_of(sound_set);
+    read.insert(read.end(), set.begin(), set.end());
+  }
+  require_apart({o.plot, o.resynthesis.file}, read);
   if (o.model == "paper")
     model_note(o.learning.inputs, o.resynthesis.file, o.resynthesis.seed, o.json, o.paper);
   else

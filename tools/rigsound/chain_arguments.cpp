@@ -7,6 +7,7 @@
 
 #include "progress_bar.hpp"
 #include "read_recording.hpp"
+#include "rigsound/file/read_files.hpp"
 
 namespace rigsound::tools {
 
@@ -29,6 +30,7 @@ void add_chain_arguments(cli::Verb& verb, ChainArguments& arguments) {
 }
 
 Recording read_input(const ChainArguments& arguments) {
+  if (!arguments.dump.empty()) require_outside(arguments.dump, {arguments.input});
   Recording recording = read_recording_or_silence(arguments.input);
   tell_mix_down(arguments.input, recording);
   return recording;

@@ -3,15 +3,15 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <thread>
 
 #include "contrast/contrast_output.hpp"
 #include "progress_bar.hpp"
 #include "rigsound/analysis/contrast.hpp"
+#include "rigsound/config/rig.hpp"
 #include "rigsound/file/atomic_file.hpp"
-#include "rigsound/machine/input_error.hpp"
+#include "rigsound/file/read_files.hpp"
 #include "rigsound/machine/signal.hpp"
 #include "verbs.hpp"
 
@@ -41,9 +41,7 @@ std::size_t boom_of(const config::Rig& rig, const std::string& wanted) {
 void contrast(const ContrastArguments& o) {
   const config::Rig rig = config::load_rig(o.rig);
   const std::size_t boom = boom_of(rig, o.boom);
-  std::error_code missing;
-  if (std::filesystem::equivalent(o.report, o.rig, missing) && !missing)
-    throw InputError(o.report, "is the rig itself, expected another file for the page");
+  require_apart({o.report}, config::files_of(rig));
   if (!o.report.empty()) AtomicFile(o.report);  // a page that cannot be written is told before the work
   const ContrastRig played = contrast_rig(rig, boom, o.engine_rpm);
   Contrast measured;

@@ -16,8 +16,7 @@ struct DenoiseOptions {
 
 /// Refuses outputs that would replace the recording or one another.
 void check_names(const DenoiseOptions& options) {
-  require_not_read(options.output, {options.chain.input});
-  require_not_read(options.noise, {options.chain.input, options.output});
+  require_apart({options.output, options.noise}, {options.chain.input});
 }
 
 std::vector<float> background(const analysis::Recording& recording, const std::vector<float>& drilling) {

@@ -8,6 +8,7 @@
 
 #include "record/bus_recorder.hpp"
 #include "rigsound/file/file_descriptor.hpp"
+#include "rigsound/file/read_files.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "verbs.hpp"
 
@@ -27,19 +28,28 @@ FileDescriptor ending_signals() {
   return FileDescriptor(::signalfd(-1, &signals, SFD_CLOEXEC));
 }
 
+/// Where each kind of bus goes; empty where the rig has none.
+struct RecordedFiles {
+  std::filesystem::path can, modbus, udp;
+};
+
+/// OUT for the first kind that the rig has, a name beside it for the others.
+RecordedFiles files_for(const config::Rig& rig, const std::filesystem::path& out) {
+  const auto beside = [&out](const char* ending) { return std::filesystem::path(out).replace_extension(ending); };
+  RecordedFiles files;
+  if (!rig.can.empty()) files.can = out;
+  if (!rig.modbus.empty()) files.modbus = rig.can.empty() ? out : beside(".pcap");
+  if (!rig.udp.empty()) files.udp = rig.can.empty() && rig.modbus.empty() ? out : beside(".udp.pcap");
+  return files;
+}
+
 std::vector<std::unique_ptr<BusRecorder>> start(const config::Rig& rig, const std::filesystem::path& out) {
+  const RecordedFiles files = files_for(rig, out);
+  require_apart({files.can, files.modbus, files.udp}, config::files_of(rig));
   std::vector<std::unique_ptr<BusRecorder>> recorders;
-  if (!rig.can.empty()) recorders.push_back(record_can(rig, out));
-  if (!rig.modbus.empty()) {
-    std::filesystem::path capture = out;
-    if (!rig.can.empty()) capture.replace_extension(".pcap");
-    recorders.push_back(record_modbus(rig, capture));
-  }
-  if (!rig.udp.empty()) {
-    std::filesystem::path capture = out;
-    if (!rig.can.empty() || !rig.modbus.empty()) capture.replace_extension(".udp.pcap");
-    recorders.push_back(record_udp(rig, capture));
-  }
+  if (!files.can.empty()) recorders.push_back(record_can(rig, files.can));
+  if (!files.modbus.empty()) recorders.push_back(record_modbus(rig, files.modbus));
+  if (!files.udp.empty()) recorders.push_back(record_udp(rig, files.udp));
   if (recorders.empty())
     throw InputError(rig.file.string(), "has no bus, expected a [[can]], a [[modbus]] or a [[udp]]");
   return recorders;

@@ -36,7 +36,7 @@ void render(config::Rig& rig, audio::StateSource& states, audio::SampleFormat sa
   SoundSet sounds = config::load_sounds(rig);
   const bool built_in_diesel = sounds.diesels.front().name == kDefaultDiesel;
   Engine engine = config::build_engine(rig, std::move(sounds));
-  require_not_read(options.out, {rig.file, rig.sound_set, options.log.log, options.session, options.states});
+  require_apart({options.out}, config::files_of(rig));
   const audio::BlockRange part = audio::blocks_of(options.from_s, options.to_s, rig.engine);
   Sha256 digest;
   audio::WavSink::Tap hash;
@@ -122,6 +122,7 @@ void add_render(cli::Verb& program) {
   verb.option("--to", options->to_s, "s; OUT ends with the block before it; left out: the end").at_least(0);
   verb.flag("--no-hash", options->no_hash, "print no sha256");
   verb.callback([options] {
+    require_apart({options->out}, {options->log.log, options->session, options->states});
     if (options->to_s <= options->from_s) throw cli::UsageError("--to", "expected more than --from");
     if (!options->log.log.empty())
       render_log(*options);

@@ -30,7 +30,7 @@ void write_impacts(const std::string& path, const analysis::Resynthesis& result,
 }
 
 void resynth(const ResynthOptions& o) {
-  for (const std::string& output : {o.output, o.impacts}) require_not_read(output, {o.bank});
+  require_apart({o.output, o.impacts}, {o.bank});
   const ClickBank bank = config::load_bank(o.bank).bank;
   const analysis::Resynthesis result = analysis::resynthesise(bank, o.seconds, o.seed, o.controls);
   if (!o.impacts.empty()) write_impacts(o.impacts, result, bank.sample_rate);

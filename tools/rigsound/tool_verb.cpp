@@ -9,9 +9,11 @@
 #include "read_recording.hpp"
 #include "rigsound/analysis/tool_fit.hpp"
 #include "rigsound/analysis/tool_plot.hpp"
+#include "rigsound/config/sound_set_files.hpp"
 #include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/config/tool_files.hpp"
 #include "rigsound/file/atomic_file.hpp"
+#include "rigsound/file/read_files.hpp"
 #include "tool/drill_string.hpp"
 #include "verbs.hpp"
 
@@ -126,6 +128,9 @@ void design_bar(const ToolOptions& o) {
 }
 
 void run(const ToolOptions& o) {
+  require_apart({o.plot}, {o.recording});
+  for (const std::string& sound_set : {o.sound_set, o.drill_string.rocks_of})
+    require_apart({o.plot}, config::content_of(sound_set));
   if (!o.is_string) return design_bar(o);
   DrillStringOptions drill_string = o.drill_string;
   drill_string.model.rod_length_m = o.length_m;

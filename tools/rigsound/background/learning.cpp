@@ -54,11 +54,6 @@ void require_matching(const LearningOptions& o) {
     throw cli::UsageError("--rpm", "is needed, or --rpm-track");
 }
 
-std::string name_of(const LearningOptions& o) {
-  if (!o.name.empty()) return o.name;
-  return o.formula ? "formula" : std::filesystem::path(o.inputs.front()).stem().string();
-}
-
 analysis::LearnedDiesel built_in() {
   analysis::LearnedDiesel learned;
   learned.model = default_diesel();
@@ -68,6 +63,11 @@ analysis::LearnedDiesel built_in() {
 }
 
 }  // namespace
+
+std::string background_name(const LearningOptions& o) {
+  if (!o.name.empty()) return o.name;
+  return o.formula || o.inputs.empty() ? "formula" : std::filesystem::path(o.inputs.front()).stem().string();
+}
 
 std::vector<analysis::DieselTake> read_takes(const LearningOptions& o) {
   require_matching(o);
@@ -93,7 +93,7 @@ std::vector<analysis::DieselTake> read_takes(const LearningOptions& o) {
 
 analysis::LearnedDiesel learn(const std::vector<analysis::DieselTake>& takes, const LearningOptions& o) {
   analysis::DieselSettings settings = o.settings;
-  settings.name = name_of(o);
+  settings.name = background_name(o);
   analysis::LearnedDiesel learned = o.formula ? built_in() : analysis::learn_diesel(takes, settings);
   learned.model.name = settings.name;
   if (!o.start.empty()) learned.model.start = read_whole(o.start, "engine").mono;

@@ -40,6 +40,7 @@ struct Rig {
   std::vector<int> boom_tool_lines;
   SafetyOptions safety;
   std::vector<can::CanOptions> can;
+  std::vector<std::filesystem::path> dbc_files;  ///< that they were read from
   std::vector<modbus::ModbusOptions> modbus;
   std::vector<udp::UdpOptions> udp;
   ControlOptions control;
@@ -73,6 +74,9 @@ Rig rig_of(const PackedSet& set, const std::filesystem::path& file);
 /// The engine of the rig with the sounds of load_sounds. Errors: InputError naming the sound set when the
 /// engine cannot play it. Thread: OFF.
 Engine build_engine(const Rig& rig, SoundSet sounds);
+
+/// What the rig was and will be read from: its file, its sound set, its DBC files.
+std::vector<std::filesystem::path> files_of(const Rig& rig);
 
 /// The buses of the rig, for reading a log of them.
 log::Buses buses_of(const Rig& rig);
