@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "rigsound/analysis/recording.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
@@ -15,6 +14,8 @@ std::string title(const Part& part) {
   if (part.whole()) return part.recording.string();
   return fmt::format("{} [{:.3f}-{:.3f} s]", part.recording.string(), part.label.start_s, part.label.end_s);
 }
+
+}  // namespace
 
 Recording read_part(const Part& part) {
   if (part.whole()) return read_recording(part.recording);
@@ -30,12 +31,8 @@ Recording read_part(const Part& part) {
   return read_recording(part.recording, {part.label.start_s, part.label.end_s});
 }
 
-}  // namespace
-
-PartAnalysis analyse_part(const Part& part, const AnalyzerOptions& options) {
-  Recording recording = read_part(part);
+PartAnalysis analyse_part(const Part& part, Recording recording, const AnalyzerOptions& options) {
   PartAnalysis analysis;
-  analysis.source_channels = recording.source_channels;
   analysis.start_s = part.label.start_s;
   analysis.recorded = std::move(recording.mono);
   ChainOptions chain;

@@ -43,6 +43,8 @@ std::vector<fs::path> recordings_of(const std::vector<fs::path>& inputs) {
   for (const fs::path& input : inputs) {
     std::error_code none;
     if (!fs::is_directory(input, none)) {
+      if (input == "-" || (fs::exists(input, none) && fs::is_other(input, none)))
+        throw InputError(input.string(), "is a pipe, expected a file: its parts are read one by one");
       files.push_back(input);
       continue;
     }
@@ -127,18 +129,29 @@ Labelling by_bus(const fs::path& recording, const fs::path& log, const BusReadin
   return {log, parts.labels};
 }
 
+/// The file that says which stretch is what; empty: there is none.
+struct SaidBy {
+  fs::path file;
+  bool bus_log = false;
+};
+
 /// A file given for the one recording, else the one beside it; a bus log before labels.
-Labelling labelling_of(const fs::path& recording, const AnalyzerOptions& options,
-                       const std::optional<BusReading>& bus, std::vector<std::string>& notes) {
+SaidBy said_by(const fs::path& recording, const AnalyzerOptions& options, bool with_bus) {
   const auto beside = [&recording](const char* extension) {
     const fs::path file = fs::path(recording).replace_extension(extension);
     std::error_code none;
     return fs::exists(file, none) ? file : fs::path();
   };
-  if (!options.labels.empty()) return {options.labels, read_labels(options.labels)};
+  if (!options.labels.empty()) return {options.labels};
   const fs::path log = options.bus_log.empty() ? beside(".log") : options.bus_log;
-  if (bus && !log.empty()) return by_bus(recording, log, *bus, options.bus_log_offset_s, notes);
-  if (const fs::path labels = beside(".txt"); !labels.empty()) return {labels, read_labels(labels)};
+  if (with_bus && !log.empty()) return {log, true};
+  return {beside(".txt")};
+}
+
+Labelling labelling_of(const fs::path& recording, const SaidBy& by, const AnalyzerOptions& options,
+                       const std::optional<BusReading>& bus, std::vector<std::string>& notes) {
+  if (by.bus_log) return by_bus(recording, by.file, *bus, options.bus_log_offset_s, notes);
+  if (!by.file.empty()) return {by.file, read_labels(by.file)};
   Label whole;
   whole.situation = options.situation;
   return {{}, {whole}};
@@ -177,6 +190,11 @@ PartList list_parts(const AnalyzerOptions& options) {
   const std::map<fs::path, std::string> stems = stems_of(recordings);
   const std::optional<BusReading> bus = bus_reading(options);
   PartList list;
+  list.read = recordings;
+  if (bus) {
+    list.read.push_back(bus->rig.file);
+    list.read.insert(list.read.end(), bus->rig.dbc_files.begin(), bus->rig.dbc_files.end());
+  }
   std::set<std::string> taken;
   for (const fs::path& recording : recordings) {
     const std::string& stem = stems.at(recording);
@@ -186,7 +204,9 @@ PartList list_parts(const AnalyzerOptions& options) {
       continue;
     }
     try {
-      const Labelling labelling = labelling_of(recording, options, bus, list.notes);
+      const SaidBy by = said_by(recording, options, bus.has_value());
+      list.read.push_back(by.file);
+      const Labelling labelling = labelling_of(recording, by, options, bus, list.notes);
       if (labelling.file.empty())
         list.parts.push_back({recording, stem, {}, labelling.labels.front()});
       else

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "analyzer/finished_bank.hpp"
 #include "analyzer/part_analysis.hpp"
@@ -17,8 +18,10 @@
 #include "report/report_section.hpp"
 #include "rigsound/analysis/analyzer.hpp"
 #include "rigsound/analysis/parallel.hpp"
+#include "rigsound/config/sound_set_files.hpp"
 #include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/device_error.hpp"
+#include "rigsound/file/read_files.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
@@ -48,10 +51,9 @@ std::vector<Task> tasks_of(const std::vector<Part>& parts, const AnalyzerOptions
 }
 
 AnalysedPart analyse(Task& task, const std::string& sha256, const AnalyzerOptions& options) {
-  const PartAnalysis analysis = analyse_part(task.part, options);
-  if (analysis.source_channels > 1)
-    task.note = fmt::format("{}: {} channels mixed down to one", task.part.recording.string(),
-                            analysis.source_channels);
+  Recording recording = read_part(task.part);
+  task.note = mix_down_note(task.part.recording, recording);
+  const PartAnalysis analysis = analyse_part(task.part, std::move(recording), options);
   const ClickBank& bank = analysis.built.bank;
   AnalysedPart analysed{
       task.part, false, bank.mean_gap_samples, static_cast<int>(bank.clicks.size()), analysis.built.figures,
@@ -80,39 +82,21 @@ void run_task(Task& task, const AnalyzerOptions& options) {
 }
 
 /// Counts analysed parts and tells the caller, one thread at a time.
-class ProgressCount {
+class Announcer {
  public:
-  ProgressCount(const AnalyzerProgress& tell, int total) : tell_(tell), total_(total) {}
+  Announcer(const AnalyzerListener& listener, int total) : listener_(listener), total_(total) {}
   void add(const Task& task) {
     const std::lock_guard<std::mutex> lock(mutex_);
     task.done&& task.done->kept ? --total_ : ++analysed_;
-    if (tell_) tell_(analysed_, total_);
+    if (task.done && listener_.done) listener_.done(*task.done);
+    if (listener_.progress) listener_.progress(analysed_, total_);
   }
 
  private:
-  const AnalyzerProgress& tell_;
+  const AnalyzerListener& listener_;
   std::mutex mutex_;
   int analysed_ = 0, total_;
 };
-
-/// Laws that soundset.toml has not got yet become `additions`; of others that differ a note is made.
-void add_laws(const fs::path& sound_set, config::SoundSetIndex& additions, std::vector<std::string>& notes) {
-  constexpr double kSame = 0.1;  // within 100 bar: 0.9 dB, or a tenth of a decay time
-  const std::string file = (sound_set / "soundset.toml").string();
-  const config::SoundSetIndex index = config::load_index(sound_set);
-  for (const SeriesLaws& fitted : laws_of_set(sound_set)) {
-    const auto known = std::find_if(index.laws.begin(), index.laws.end(), [&](const config::LawsEntry& l) {
-      return l.laws.rods == fitted.entry.laws.rods && l.rock == fitted.entry.rock;
-    });
-    if (known == index.laws.end()) {
-      additions.laws.push_back(fitted.entry);
-      notes.push_back(file + ": laws of " + laws_text(fitted));
-    } else if (difference(known->laws, fitted.entry.laws) > kSame) {
-      notes.push_back(file + ": its [[laws]] are kept, but the banks say other: " + laws_text(fitted) +
-                      "; remove the entry to have it written anew");
-    }
-  }
-}
 
 void merge(const std::vector<AnalysedPart>& banks, const AnalyzerOptions& options,
            std::vector<std::string>& notes) {
@@ -130,27 +114,26 @@ void merge(const std::vector<AnalysedPart>& banks, const AnalyzerOptions& option
   lock.wait_exclusive();
   config::merge_index(sound_set, additions);
   if (options.shards > 1) return;  // a later run over all parts keeps their banks and sees every series whole
-  config::SoundSetIndex laws;
-  add_laws(sound_set, laws, notes);
-  config::merge_index(sound_set, laws);
+  add_laws(sound_set, (sound_set / "soundset.toml").string(), notes);
 }
 
 }  // namespace
 
-AnalyzerResult run_analyzer(const AnalyzerOptions& options, const AnalyzerProgress& progress) {
+AnalyzerResult run_analyzer(const AnalyzerOptions& options, const AnalyzerListener& listener) {
   PartList list = list_parts(options);
+  require_apart({options.page}, list.read);
+  require_apart({options.page}, config::content_of(options.sound_set));
+  require_outside(options.sound_set / "banks", list.read);
   std::error_code error;
-  fs::create_directories(options.sound_set, error);
-  if (error) throw DeviceError(options.sound_set.string() + ": cannot be made: " + error.message());
   // A broken index is reported now and not after hours of work.
   if (fs::exists(options.sound_set / "soundset.toml", error)) config::load_index(options.sound_set);
-  RunLock running(options.sound_set);
+  const RunLock running(options.sound_set);
 
   std::vector<Task> tasks = tasks_of(list.parts, options);
-  ProgressCount count(progress, static_cast<int>(tasks.size()));
+  Announcer announcer(listener, static_cast<int>(tasks.size()));
   for_each_index(static_cast<int>(tasks.size()), options.jobs, [&](int i) {
     run_task(tasks[i], options);
-    count.add(tasks[i]);
+    announcer.add(tasks[i]);
   });
 
   AnalyzerResult result;
@@ -165,10 +148,7 @@ AnalyzerResult run_analyzer(const AnalyzerOptions& options, const AnalyzerProgre
       result.failures.push_back(task.failure);
   }
   lint_series(result.banks);
-  if (!result.banks.empty())
-    merge(result.banks, options, result.notes);
-  else
-    running.remove_if_alone();
+  if (!result.banks.empty()) merge(result.banks, options, result.notes);
   return result;
 }
 

@@ -10,6 +10,7 @@
 #include "recording/clipping.hpp"
 #include "recording/resample.hpp"
 #include "rigsound/analysis/rate.hpp"
+#include "rigsound/file/input_file.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
@@ -17,24 +18,24 @@ namespace {
 
 using Sound = std::unique_ptr<SNDFILE, decltype(&sf_close)>;
 
-Sound open(const std::filesystem::path& path, SF_INFO& info) {
+/// What to read the recording from, a pipe too.
+InputFile input_of(const std::filesystem::path& path) {
   std::error_code none;
-  if (!std::filesystem::exists(path, none))
+  if (path != "-" && !std::filesystem::exists(path, none))
     throw InputError(path.string(), "no such file, expected a recording");
-  if (std::filesystem::is_directory(path, none))
-    throw InputError(path.string(), "is a folder, expected a recording");
-  Sound sound(sf_open(path.c_str(), SFM_READ, &info), &sf_close);
+  return {path, "recording"};
+}
+
+Sound open(const InputFile& input, SF_INFO& info) {
+  Sound sound(sf_open(input.path().c_str(), SFM_READ, &info), &sf_close);
   if (!sound)
-    throw InputError(path.string(),
+    throw InputError(input.name(),
                      fmt::format("not a sound file ({}), expected WAV, FLAC or another format of libsndfile",
                                  sf_strerror(nullptr)));
   return sound;
 }
 
-void check_format(const std::filesystem::path& path, const SF_INFO& info) {
-  const std::string file = path.string();
-  if (info.channels > kMaxSourceChannels)
-    throw InputError(file, fmt::format("{} channels, expected 1 to {}", info.channels, kMaxSourceChannels));
+void check_format(const std::string& file, const SF_INFO& info) {
   if (info.samplerate < kMinSourceRate)
     throw InputError(
         file, fmt::format("sample rate {} Hz, expected {} Hz or more", info.samplerate, kMinSourceRate));
@@ -77,47 +78,67 @@ std::vector<float> read_mixed_down(SNDFILE* sound, int channels, const Frames& f
   return mono;
 }
 
-void check_samples(const std::filesystem::path& path, const std::vector<float>& mono, sf_count_t begin,
-                   int rate, std::string_view subject) {
+void check_samples(const std::string& file, const std::vector<float>& mono, sf_count_t begin, int rate) {
   const auto bad = std::find_if(mono.begin(), mono.end(), [](float x) { return !std::isfinite(x); });
   if (bad != mono.end()) {
     const auto at = begin + (bad - mono.begin());
-    throw InputError(path.string(),
-                     fmt::format("sample {} ({:.3f} s) is not a number, expected finite samples", at,
-                                 static_cast<double>(at) / rate));
+    throw InputError(file, fmt::format("sample {} ({:.3f} s) is not a number, expected finite samples", at,
+                                       static_cast<double>(at) / rate));
   }
+}
+
+bool is_silent(const std::vector<float>& mono) {
   const auto [low, high] = std::minmax_element(mono.begin(), mono.end());
-  if (*high - *low < 1e-6f)
-    throw InputError(path.string(), fmt::format("silent, no {} found in it; expected to hear some", subject));
+  return *high - *low < 1e-6f;
+}
+
+Recording read_stretch(const std::filesystem::path& path, const Stretch& stretch) {
+  SF_INFO info{};
+  const InputFile input = input_of(path);
+  const Sound sound = open(input, info);
+  check_format(input.name(), info);
+  const Frames frames = frames_of(stretch, info);
+  const double seconds = static_cast<double>(frames.end - frames.begin) / info.samplerate;
+  if (seconds < kMinRecordingSeconds)
+    throw InputError(input.name(),
+                     fmt::format("the stretch from {:.3f} s is {:.3f} s long, expected {} s or more",
+                                 stretch.start_s, std::max(seconds, 0.0), kMinRecordingSeconds));
+  const std::vector<float> mono = read_mixed_down(sound.get(), info.channels, frames);
+  if (static_cast<double>(mono.size()) < kMinRecordingSeconds * info.samplerate)
+    throw InputError(input.name(),
+                     fmt::format("cut off after {} of {} frames, expected the whole file",
+                                 frames.begin + static_cast<sf_count_t>(mono.size()), info.frames));
+  check_samples(input.name(), mono, frames.begin, info.samplerate);
+  return {resample(mono, info.samplerate, static_cast<int>(kAnalysisRate)),
+          info.samplerate,
+          info.channels,
+          static_cast<long>(mono.size()),
+          is_silent(mono),
+          clipped_share(mono)};
 }
 
 }  // namespace
 
 Recording read_recording(const std::filesystem::path& path, const Stretch& stretch,
                          std::string_view subject) {
-  SF_INFO info{};
-  const Sound sound = open(path, info);
-  check_format(path, info);
-  const Frames frames = frames_of(stretch, info);
-  const double seconds = static_cast<double>(frames.end - frames.begin) / info.samplerate;
-  if (seconds < kMinRecordingSeconds)
-    throw InputError(path.string(),
-                     fmt::format("the stretch from {:.3f} s is {:.3f} s long, expected {} s or more",
-                                 stretch.start_s, std::max(seconds, 0.0), kMinRecordingSeconds));
-  const std::vector<float> mono = read_mixed_down(sound.get(), info.channels, frames);
-  if (static_cast<double>(mono.size()) < kMinRecordingSeconds * info.samplerate)
-    throw InputError(path.string(),
-                     fmt::format("cut off after {} of {} frames, expected the whole file",
-                                 frames.begin + static_cast<sf_count_t>(mono.size()), info.frames));
-  check_samples(path, mono, frames.begin, info.samplerate, subject);
-  return {resample(mono, info.samplerate, static_cast<int>(kAnalysisRate)), info.samplerate, info.channels,
-          static_cast<long>(mono.size()), clipped_share(mono)};
+  Recording recording = read_stretch(path, stretch);
+  if (recording.silent)
+    throw InputError(path.string(), fmt::format("silent, no {} found in it; expected to hear some", subject));
+  return recording;
+}
+
+Recording read_recording_or_silence(const std::filesystem::path& path) { return read_stretch(path, {}); }
+
+std::string mix_down_note(const std::filesystem::path& path, const Recording& recording) {
+  if (recording.source_channels == 1) return {};
+  return fmt::format("{}: {} channels mixed down to one", path.string(), recording.source_channels);
 }
 
 double recording_seconds(const std::filesystem::path& path) {
   SF_INFO info{};
-  const Sound sound = open(path, info);
-  check_format(path, info);
+  const InputFile input = input_of(path);
+  const Sound sound = open(input, info);
+  check_format(input.name(), info);
   return static_cast<double>(info.frames) / info.samplerate;
 }
 

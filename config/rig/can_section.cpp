@@ -77,6 +77,7 @@ class CanSection {
   }
 
   const std::vector<MappedSignal>& mapped() const { return mapped_; }
+  const std::vector<std::filesystem::path>& dbc_files() const { return dbc_files_; }
 
  private:
   void load(const std::string& text) {
@@ -85,6 +86,7 @@ class CanSection {
     if (!std::filesystem::is_regular_file(file, error))
       table_.fail("dbc", "there is no file " + file.string() + ", expected a DBC file");
     library_.add(file);
+    dbc_files_.push_back(file);
   }
 
   // "MESSAGE.SIGNAL", or a table { signal = "MESSAGE.SIGNAL", source = 0x00, scale = 1, offset = 0 }.
@@ -150,6 +152,7 @@ class CanSection {
   TomlTable table_;
   std::filesystem::path folder_;
   DbcLibrary library_;
+  std::vector<std::filesystem::path> dbc_files_;
   bool forced_j1939_ = false, j1939_ = false;
   can::CanOptions options_;
   std::vector<MappedSignal> mapped_;  ///< of options_.routes
@@ -161,7 +164,7 @@ CanBusRead read_can(TomlTable table, const std::filesystem::path& folder,
                     const std::vector<BoomOptions>& booms) {
   CanSection section(std::move(table), folder);
   can::CanOptions options = section.read(booms);
-  return {std::move(options), doubts(section.mapped())};
+  return {std::move(options), section.dbc_files(), doubts(section.mapped())};
 }
 
 }  // namespace rigsound::config

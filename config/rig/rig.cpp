@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "rig/sections.hpp"
+#include "rigsound/config/sound_set_files.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "text/read_text.hpp"
 
@@ -148,8 +149,11 @@ void take_bus(Read read, std::vector<Options>& buses, std::vector<std::string>& 
 }
 
 void read_buses(TomlTable& root, const std::filesystem::path& folder, Rig& rig) {
-  for (TomlTable& table : root.tables("can"))
-    take_bus(read_can(table, folder, rig.engine.booms), rig.can, rig.doubts);
+  for (TomlTable& table : root.tables("can")) {
+    CanBusRead read = read_can(table, folder, rig.engine.booms);
+    rig.dbc_files.insert(rig.dbc_files.end(), read.dbc_files.begin(), read.dbc_files.end());
+    take_bus(std::move(read), rig.can, rig.doubts);
+  }
   for (TomlTable& table : root.tables("modbus"))
     take_bus(read_modbus(table, rig.engine.booms), rig.modbus, rig.doubts);
   for (TomlTable& table : root.tables("udp")) {
@@ -205,6 +209,13 @@ Rig parse_rig(std::string_view text, const std::filesystem::path& file, Buses bu
   require_own_lines(rig, root);
   require_one_source(rig, root);
   return rig;
+}
+
+std::vector<std::filesystem::path> files_of(const Rig& rig) {
+  std::vector<std::filesystem::path> files = content_of(rig.sound_set);
+  files.push_back(rig.file);
+  files.insert(files.end(), rig.dbc_files.begin(), rig.dbc_files.end());
+  return files;
 }
 
 log::Buses buses_of(const Rig& rig) { return {rig.can, rig.modbus, rig.udp}; }

@@ -47,6 +47,7 @@ SafetyOptions read_safety(TomlTable table, const StaleDefaults& stale);
 /// A bus, and what is probably a mistake in its section: one line each.
 struct CanBusRead {
   can::CanOptions options;
+  std::vector<std::filesystem::path> dbc_files;
   std::vector<std::string> doubts;
 };
 CanBusRead read_can(TomlTable table, const std::filesystem::path& folder,

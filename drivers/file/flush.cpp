@@ -23,4 +23,14 @@ void flush_to_disk(const std::filesystem::path& path) {
   if (synced != 0) fail(path, "cannot be flushed to disk", error);
 }
 
+std::filesystem::path behind_links(const std::filesystem::path& target) {
+  constexpr int kMostLinks = 40;  // as the system follows
+  std::error_code error;
+  std::filesystem::path place = target;
+  for (int links = 0; links < kMostLinks && std::filesystem::is_symlink(place, error); ++links)
+    place =
+        place.parent_path() / std::filesystem::read_symlink(place, error);  // an absolute one replaces all
+  return place;
+}
+
 }  // namespace rigsound::file

@@ -140,7 +140,7 @@ class Contrast(Case):
         self.refused(1, 'there is no folder', 'contrast', self.rig('absent'))
         rig = self.rig(write_sound_set(self.folder / 'set'))
         self.refused(2, '--boom: is left, expected ', 'contrast', rig, '--boom', 'left')
-        self.refused(1, 'is the rig itself', 'contrast', rig, '--report', rig)
+        self.refused(1, 'expected another name for the output', 'contrast', rig, '--report', rig)
         self.refused(3, 'absent', 'contrast', rig, '--report', self.folder / 'absent/page.html')
 
 

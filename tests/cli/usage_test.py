@@ -66,6 +66,8 @@ class WrongUsage(unittest.TestCase):
         self.refused('rendr rig.toml --log a.log', 'unknown verb rendr, did you mean render?')
         self.refused('--json rendr', 'unknown option --json')
         self.refused('xylophone', 'unknown verb xylophone')
+        self.refused('dceode', 'unknown verb dceode, did you mean decode?')
+        self.refused('toool', 'unknown verb toool, did you mean tool?')
         self.refused('', 'expected a verb')
 
     def test_unknown_command_names_the_nearest(self):
@@ -73,18 +75,30 @@ class WrongUsage(unittest.TestCase):
         self.refused('ctl --socket s.sock mut', 'unknown command mut, did you mean mute?')
         self.refused('ctl', 'expected a command')
 
+    def test_unknown_option_names_the_nearest_of_its_verb(self):
+        self.refused('render rig.toml --lgo a.log --out o.wav', 'unknown option --lgo, did you mean --log?')
+        self.refused('render rig.toml --log a.log --out o.wav --sede=3', 'unknown option --sede, did you mean --seed?')
+        self.refused('resynth b o.wav --seconds 2 --dacey 1', 'unknown option --dacey, did you mean --decay?')
+        self.refused('ctl set engine_rpm 3 --scoket s', 'unknown option --scoket, did you mean --socket?')
+        self.refused('check rig.toml --colour', 'unknown option --colour')
+        self.refused('check rig.toml other.toml', 'unexpected word other.toml')
+        self.refused('rig.toml --manaul', 'unknown option --manaul, did you mean --manual?', program=RIGSOUNDD)
+
     def test_decimal_comma(self):
         self.refused('tool --length 0,5 --diameter 0.025', "--length: '0,5' is no number, expected a decimal point: 0.5")
         self.refused('bench --seconds 0,5', "--seconds: '0,5' is no number, expected a decimal point: 0.5")
 
     def test_ranges_say_what_they_accept(self):
-        self.refused('bench --seconds 1e9', '--seconds: is 1e9, expected 0.1...3600')
+        self.refused('bench --seconds 1e9', '--seconds: is 1e9, expected 0.1...3600 s')
         self.refused('bench --seconds nan', "--seconds: 'nan' is no number, expected one such as 0.5")
-        self.refused('record rig.toml --out a --seconds 0', '--seconds: is 0, expected 0.001 or more')
+        self.refused('record rig.toml --out a --seconds 0', '--seconds: is 0, expected 0.001 s or more')
+        self.refused('background a.wav --rpm 5000 --out set', '--rpm: is 5000, expected 300...4000 r/min')
+        self.refused('resynth a b.wav --seconds 1 --gain-db 30', '--gain-db: is 30, expected -60...24 dB')
+        self.refused('timeline a.png --wav a.wav --states s.csv --underfeed 400', '--underfeed: is 400, expected 0...300 bar')
         self.refused('clicks in.wav --jobs -1', '--jobs: is -1, expected 1 or more')
         self.refused('clicks in.wav --jobs 1.5', "--jobs: '1.5' is no whole number, expected one such as 2")
         self.refused('clicks in.wav --jobs 4294967296', "--jobs: '4294967296' is no whole number, expected one such as 2")
-        self.refused('rig.toml --session-limit 0', '--session-limit: is 0, expected 0.01...1000000', program=RIGSOUNDD)
+        self.refused('rig.toml --session-limit 0', '--session-limit: is 0, expected 0.01...1000000 MB', program=RIGSOUNDD)
 
     def test_words(self):
         self.refused('clicks in.wav --method papre', '--method: is papre, expected click-nmf|paper, did you mean paper?')
@@ -96,7 +110,7 @@ class WrongUsage(unittest.TestCase):
     def test_shards_count_from_one(self):
         for shard in ('0/4', '5/4', '1/0', '2', '1/4x'):
             self.refused(f'analyze in --out out --shard {shard}',
-                         f"--shard: '{shard}' is wrong, expected I/N with I from 1 to N")
+                         f"--shard: '{shard}' is wrong, expected I/N with I from 1 to N, or auto")
 
     def test_missing(self):
         self.refused('check', 'RIG.toml is required')

@@ -61,19 +61,46 @@ const CLI::App& deepest(const CLI::App& app) {
   return parsed.empty() ? app : deepest(*parsed.front());
 }
 
-/// What is said when a verb, or a command of one, is missing or unknown; empty when that is not the fault.
-std::string unknown_verb(const CLI::App& program) {
+/// "unknown KIND WORD, did you mean NEAR?"
+std::string unknown(const std::string& kind, const std::string& word, const std::vector<std::string>& known) {
+  const std::string near(config::nearest_word(word, known));
+  return "unknown " + kind + " " + word + (near.empty() ? "" : ", did you mean " + near + "?");
+}
+
+/// Names that an app and its groups of options understand, with their dashes.
+void add_option_names(const CLI::App& app, std::vector<std::string>& names) {
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  for (const CLI::App* part : app.get_subcommands([](const CLI::App*) { return true; }))
+    if (part->get_name().empty()) add_option_names(*part, names);
+}
+
+/// What is said of the first word that nobody takes: it is no option, or one word too many.
+std::string left_over(const CLI::App& app, const std::vector<std::string>& rest) {
+  const auto option = std::find_if(rest.begin(), rest.end(), [](const std::string& word) {
+    return word.size() > 1 && word.front() == '-';
+  });
+  if (option == rest.end()) return "unexpected word " + rest.front();
+  std::vector<std::string> known;
+  for (const CLI::App* at = &app; at != nullptr; at = at->get_parent()) add_option_names(*at, known);
+  return unknown("option", option->substr(0, option->find('=')), known);
+}
+
+/// What is said when a verb, a command of one or an option is unknown, or the verb is missing; empty when
+/// that is not the fault.
+std::string unknown_word(const CLI::App& program) {
   const CLI::App& app = deepest(program);
-  if (app.get_require_subcommand_min() == 0) return {};
-  const std::string kind = &app == &program ? "verb" : "command";
   const std::vector<std::string> rest = program.remaining(true);
-  if (rest.empty()) return "expected a " + kind;
-  if (rest.front().front() == '-') return "unknown option " + rest.front();
+  const bool wants_verb = app.get_require_subcommand_min() > 0;
+  const std::string kind = &app == &program ? "verb" : "command";
+  if (rest.empty()) return wants_verb ? "expected a " + kind : "";
+  if (!wants_verb || rest.front().front() == '-') return left_over(app, rest);
   std::vector<std::string> known;
   for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
     known.push_back(verb->get_name());
-  const std::string near(config::nearest_word(rest.front(), known));
-  return "unknown " + kind + " " + rest.front() + (near.empty() ? "" : ", did you mean " + near + "?");
+  return unknown(kind, rest.front(), known);
 }
 
 OptionText described(const CLI::Option& option, const std::string& group) {
@@ -168,14 +195,15 @@ Option Option::shows_default() {
   option_->default_str(initial_);
   return *this;
 }
-Option Option::range(double low, double high) {
-  const std::string accepted = number_text(low) + "..." + number_text(high);
+Option Option::range(double low, double high, const std::string& unit) {
+  const std::string accepted =
+      number_text(low) + "..." + number_text(high) + (unit.empty() ? "" : " " + unit);
   option_->check(CLI::Validator(
       [=](const std::string& text) { return range_fault(text, low, high, accepted); }, accepted));
   return *this;
 }
-Option Option::at_least(double low) {
-  const std::string accepted = number_text(low) + " or more";
+Option Option::at_least(double low, const std::string& unit) {
+  const std::string accepted = number_text(low) + (unit.empty() ? "" : " " + unit) + " or more";
   option_->check(CLI::Validator(
       [=](const std::string& text) {
         return range_fault(text, low, std::numeric_limits<double>::infinity(), accepted);
@@ -311,7 +339,7 @@ int Program::run(int argc, char** argv) {
     return usage(error.what());
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app_->exit(error);
-    const std::string unknown = unknown_verb(*app_);
+    const std::string unknown = unknown_word(*app_);
     return usage(unknown.empty() ? error.what() : unknown);
   }
 }

@@ -6,10 +6,13 @@
 #include <stdexcept>
 #include <thread>
 
+#include "endings.hpp"
 #include "progress_bar.hpp"
 #include "rigsound/analysis/analyzer.hpp"
 #include "rigsound/analysis/report.hpp"
 #include "rigsound/file/atomic_file.hpp"
+#include "shard.hpp"
+#include "standard_output.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -25,13 +28,6 @@ struct AnalyzeArguments {
   AnalyzerOptions options;
 };
 
-void read_shard(const std::string& text, AnalyzerOptions& options) {
-  int read = 0;
-  if (std::sscanf(text.c_str(), "%d/%d%n", &options.shard, &options.shards, &read) != 2 ||
-      read != static_cast<int>(text.size()) || options.shard < 1 || options.shard > options.shards)
-    throw cli::UsageError("--shard", "'" + text + "' is wrong, expected I/N with I from 1 to N");
-}
-
 AnalyzerOptions options_of(const AnalyzeArguments& a) {
   AnalyzerOptions options = a.options;
   options.inputs.assign(a.inputs.begin(), a.inputs.end());
@@ -43,8 +39,10 @@ AnalyzerOptions options_of(const AnalyzeArguments& a) {
   options.method = a.method == "paper" ? Method::kPaper : Method::kClickNmf;
   options.denoise = !a.no_denoise;
   options.report = a.report.empty() ? ReportSections::kSkip : ReportSections::kWrite;
+  options.page = a.report;
   options.tool_version = RIGSOUND_VERSION;
-  read_shard(a.shard, options);
+  const Shard shard = read_shard(a.shard);
+  options.shard = shard.number, options.shards = shard.count;
   return options;
 }
 
@@ -60,14 +58,21 @@ void print_bank(const AnalysedPart& p) {
 
 void analyze(const AnalyzeArguments& a) {
   const AnalyzerOptions options = options_of(a);
+  require_file("--report", a.report);
+  require_ending("--report", a.report, {".html", ".htm"});
   if (!a.report.empty()) AtomicFile(a.report);  // a page that cannot be written is told before the work
   AnalyzerResult result;
   {
     ProgressBar bar;
-    result = run_analyzer(options, [&bar](int analysed, int total) { bar.show(analysed, total); });
+    AnalyzerListener listener;
+    listener.done = [&bar](const AnalysedPart& part) {
+      bar.clear();  // both may be on one terminal
+      print_bank(part);
+      std::fflush(stdout);
+    };
+    listener.progress = [&bar](int analysed, int total) { bar.show(analysed, total); };
+    result = run_analyzer(options, listener);
   }
-  for (const AnalysedPart& p : result.banks) print_bank(p);
-  std::fflush(stdout);
   for (const std::string& note : result.notes) fmt::print(stderr, "{}\n", note);
   for (const AnalysedPart& p : result.banks)
     for (const std::string& warning : p.warnings)
@@ -111,7 +116,10 @@ void add_analyze(cli::Verb& program) {
   verb.option("--jobs", o.jobs, "parts analysed at the same time; banks do not depend on it")
       .range(1, 256)
       .shows_default();
-  verb.option("--shard", a->shard, "I/N: this run does every N-th part, I from 1 to N").shows_default();
+  verb.option("--shard", a->shard,
+              "I/N: this run does every N-th part, I from 1 to N; auto: I and N of the Slurm array it is a "
+              "task of, whatever number that begins with")
+      .shows_default();
   verb.option("--report", a->report, "also write one self-contained HTML page that shows every bank");
   verb.option("--method", a->method, "click-nmf, or paper: the drilling paper's own chain")
       .one_of({"click-nmf", "paper"})
@@ -119,7 +127,8 @@ void add_analyze(cli::Verb& program) {
   verb.option("--clicks", o.clicks, "most clicks in a bank").range(2, 1000).shows_default();
   verb.flag("--no-denoise", a->no_denoise, "take the recordings as clean");
   verb.details(
-      "One line a bank on stdout. Finished banks made from the same sound with the same settings are kept, "
+      "One line a bank on stdout, when it is done. Finished banks made from the same sound with the same "
+      "settings are kept, "
       "so a "
       "run that was stopped goes on where it was. What gave no bank is listed at the end, and the exit code "
       "is "
@@ -132,6 +141,7 @@ void add_analyze(cli::Verb& program) {
   verb.example("rigsound analyze recordings/ --out soundset --jobs 4 --report report.html");
   verb.example(
       "rigsound analyze feed/ramp.wav --bus-log feed/ramp.log --rig config/rigs/demo.toml --out soundset");
+  verb.example("sbatch --array=0-7 --wrap 'rigsound analyze recordings/ --out soundset --shard auto'");
   verb.callback([a] { analyze(*a); });
 }
 

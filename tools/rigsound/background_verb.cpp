@@ -7,10 +7,13 @@
 #include "background/learning.hpp"
 #include "background/paper.hpp"
 #include "background/resynthesis.hpp"
+#include "endings.hpp"
 #include "rigsound/analysis/background_plot.hpp"
 #include "rigsound/config/background_files.hpp"
+#include "rigsound/config/sound_set_files.hpp"
 #include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/file/read_files.hpp"
+#include "standard_output.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -40,19 +43,29 @@ void learn_and_save(const BackgroundOptions& o) {
   if (!o.out.empty()) save(o.out, learned.model);
   if (!o.resynthesis.file.empty()) write_resynthesis(o.resynthesis, learned.model);
   if (!o.plot.empty()) analysis::write_background_plot(o.plot, takes, learned.model);
-  std::printf("%s\n", (o.json ? figures_json(learned, o.out) : figures_line(learned)).c_str());
+  std::fprintf(figures_beside({o.plot, o.resynthesis.file}), "%s\n",
+               (o.json ? figures_json(learned, o.out) : figures_line(learned)).c_str());
 }
 
 /// What the verb reads: recordings, tracks of the speed, clicks to keep out.
 std::vector<std::filesystem::path> inputs(const BackgroundOptions& o) {
-  std::vector<std::filesystem::path> files;
+  std::vector<std::filesystem::path> files = {o.learning.start, o.learning.stop, o.resynthesis.track};
   for (const auto* names : {&o.learning.inputs, &o.learning.rpm_tracks, &o.learning.clicks})
     files.insert(files.end(), names->begin(), names->end());
   return files;
 }
 
 void run(const BackgroundOptions& o) {
-  for (const std::string& output : {o.plot, o.resynthesis.file}) require_not_read(output, inputs(o));
+  std::vector<std::filesystem::path> read = inputs(o);
+  if (!o.out.empty()) {
+    const std::filesystem::path sound_set = o.out;
+    require_outside(sound_set / "backgrounds" / background_name(o.learning), read);
+    const std::vector<std::filesystem::path> set = config::content_of(sound_set);
+    read.insert(read.end(), set.begin(), set.end());
+  }
+  require_apart({o.plot, o.resynthesis.file}, read);
+  require_sound_ending("--resynth", o.resynthesis.file);
+  require_ending("--plot", o.plot, {".svg"});
   if (o.model == "paper")
     model_note(o.learning.inputs, o.resynthesis.file, o.resynthesis.seed, o.json, o.paper);
   else

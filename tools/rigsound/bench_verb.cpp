@@ -9,6 +9,7 @@
 
 #include "bench/block_timer.hpp"
 #include "bench/formula_sounds.hpp"
+#include "progress_bar.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -56,7 +57,9 @@ std::vector<Row> measure_layers(double seconds) {
   no_background.diesels.clear();
 
   EngineCost whole, without_tool, without_background, drill_and_mix, mix;
+  ProgressBar bar;
   for (int round = 0; round < kRounds; ++round) {
+    bar.show(round, kRounds);
     const double share = seconds / kRounds;
     keep_best(whole, measure(options, all, drilling, share));
     keep_best(without_tool, measure(no_tool, all, drilling, share));
@@ -110,7 +113,7 @@ void add_bench(cli::Verb& program) {
                        .group(kInspect);
   auto o = std::make_shared<Options>();
   verb.flag("--json", o->json, "figures for programs");
-  verb.option("--seconds", o->seconds, "sound to play per figure, s").range(0.1, 3600).shows_default();
+  verb.option("--seconds", o->seconds, "sound to play per figure").range(0.1, 3600, "s").shows_default();
   verb.details(
       "One boom that drills at 1800 r/min, blocks of 64 frames at 48 kHz, sounds made from formulas.\n"
       "Means are those of the quietest of eight rounds, worst blocks those of all.");

@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <thread>
 
 #include "progress_bar.hpp"
+#include "read_recording.hpp"
+#include "rigsound/file/atomic_folder.hpp"
+#include "rigsound/file/read_files.hpp"
 
 namespace rigsound::tools {
 
@@ -13,8 +17,10 @@ using namespace analysis;
 
 void add_chain_arguments(cli::Verb& verb, ChainArguments& arguments) {
   arguments.jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  verb.positional("IN.wav", arguments.input,
-                  "recording: any format of libsndfile, mono or stereo, 16 kHz or more")
+  verb.positional(
+          "IN.wav", arguments.input,
+          "recording: any format of libsndfile, 16 kHz or more; several channels are mixed down; `-`: "
+          "standard input")
       .required();
   verb.option("--method", arguments.method, "click-nmf, or paper: the drilling paper's own chain")
       .one_of({"click-nmf", "paper"})
@@ -28,21 +34,31 @@ void add_chain_arguments(cli::Verb& verb, ChainArguments& arguments) {
 }
 
 Recording read_input(const ChainArguments& arguments) {
-  Recording recording = read_recording(arguments.input);
-  if (recording.source_channels > 1)
-    fmt::print(stderr, "{}: {} channels mixed down to one\n", arguments.input, recording.source_channels);
+  if (!arguments.dump.empty()) require_outside(arguments.dump, {arguments.input});
+  Recording recording = read_recording_or_silence(arguments.input);
+  tell_mix_down(arguments.input, recording);
   return recording;
 }
 
 ChainResult run_chain(const Recording& recording, const ChainArguments& arguments, Denoising denoising) {
+  if (recording.silent) {
+    ChainResult nothing;
+    nothing.reason = "it is silent";
+    nothing.drilling.resize(recording.mono.size());
+    return nothing;
+  }
   ProgressBar bar;
+  std::optional<AtomicFolder> dump;
+  if (!arguments.dump.empty()) dump.emplace(arguments.dump);
   ChainOptions options;
   options.method = arguments.method == "paper" ? Method::kPaper : Method::kClickNmf;
   options.denoise = denoising == Denoising::kOn;
-  options.dump = arguments.dump;
+  if (dump) options.dump = dump->temporary();
   options.jobs = arguments.jobs;
   options.progress = [&bar](int done, int total) { bar.show(done, total); };
-  return analysis::run_chain(recording.mono, options);
+  ChainResult result = analysis::run_chain(recording.mono, options);
+  if (dump) dump->join();
+  return result;
 }
 
 void report_nothing_found(const ChainArguments& arguments, const ChainResult& result) {

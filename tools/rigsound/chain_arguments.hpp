@@ -19,10 +19,12 @@ struct ChainArguments {
 /// IN.wav, --method, --jobs and --dump.
 void add_chain_arguments(cli::Verb& verb, ChainArguments& arguments);
 
-/// Reads the recording; tells on stderr when its channels were mixed down. Errors: InputError.
+/// Reads the recording, which may be silent; tells on stderr when its channels were mixed down. Errors:
+/// InputError.
 analysis::Recording read_input(const ChainArguments& arguments);
 
-/// Runs the chain with a progress bar. `denoise` false takes the recording as clean.
+/// Runs the chain with a progress bar; in silence it finds nothing. `denoise` false takes the recording as
+/// clean.
 enum class Denoising { kOn, kOff };
 analysis::ChainResult run_chain(const analysis::Recording& recording, const ChainArguments& arguments,
                                 Denoising denoising);

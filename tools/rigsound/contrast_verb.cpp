@@ -3,16 +3,18 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <thread>
 
 #include "contrast/contrast_output.hpp"
+#include "endings.hpp"
 #include "progress_bar.hpp"
 #include "rigsound/analysis/contrast.hpp"
+#include "rigsound/config/rig.hpp"
 #include "rigsound/file/atomic_file.hpp"
-#include "rigsound/machine/input_error.hpp"
+#include "rigsound/file/read_files.hpp"
 #include "rigsound/machine/signal.hpp"
+#include "standard_output.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -41,9 +43,9 @@ std::size_t boom_of(const config::Rig& rig, const std::string& wanted) {
 void contrast(const ContrastArguments& o) {
   const config::Rig rig = config::load_rig(o.rig);
   const std::size_t boom = boom_of(rig, o.boom);
-  std::error_code missing;
-  if (std::filesystem::equivalent(o.report, o.rig, missing) && !missing)
-    throw InputError(o.report, "is the rig itself, expected another file for the page");
+  require_file("--report", o.report);
+  require_apart({o.report}, config::files_of(rig));
+  require_ending("--report", o.report, {".html", ".htm"});
   if (!o.report.empty()) AtomicFile(o.report);  // a page that cannot be written is told before the work
   const ContrastRig played = contrast_rig(rig, boom, o.engine_rpm);
   Contrast measured;
@@ -73,16 +75,16 @@ void add_contrast(cli::Verb& program) {
   verb.positional("RIG.toml", o->rig, "the rig, whose sound set and thresholds are meant").required();
   verb.option("--report", o->report, "also write one self-contained HTML page: verdicts, pairs, curves");
   verb.flag("--json", o->json, "figures as JSON instead of tables");
-  verb.option("--seconds", c.seconds, "of each run").shows_default().range(4, 600);
+  verb.option("--seconds", c.seconds, "of each run").shows_default().range(4, 600, "s");
   verb.option("--runs", c.runs, "of each sound, with different seeds").shows_default().range(2, 32);
   verb.option("--seed", c.seed, "of the first run; the same seed gives the same figures").shows_default();
   verb.option("--boom", o->boom, "which drill, by its name [the first]");
-  verb.option("--rpm", o->engine_rpm, "speed of the diesel meanwhile, r/min; 0: off")
+  verb.option("--rpm", o->engine_rpm, "speed of the diesel meanwhile; 0: off")
       .shows_default()
-      .range(0, info(Signal::kEngineRpm).max);
-  verb.option("--db-spl", c.full_scale_db_spl, "level at the ear of a sine of full scale, dB SPL")
+      .range(0, info(Signal::kEngineRpm).max, "r/min");
+  verb.option("--db-spl", c.full_scale_db_spl, "level at the ear of a sine of full scale")
       .shows_default()
-      .range(40, 140);
+      .range(40, 140, "dB SPL");
   verb.option("--jobs", c.jobs, "runs at the same time; figures do not depend on it")
       .range(1, 256)
       .shows_default();

@@ -5,8 +5,10 @@
 
 #include "rigsound/config/packed_set.hpp"
 #include "rigsound/config/rig.hpp"
+#include "rigsound/config/sound_set_files.hpp"
 #include "rigsound/file/atomic_file.hpp"
 #include "rigsound/file/read_files.hpp"
+#include "standard_output.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -16,25 +18,27 @@ struct PackOptions {
   std::string sound_set, out, rig;
 };
 
-/// The rig's engine options, if it can play the set.
+/// The rig's engine options, if it can play the set; `out` must be none of its files.
 config::PackedRig packed_rig(const std::string& file, const std::string& sound_set,
-                             const config::SoundSetParts& parts) {
+                             const config::SoundSetParts& parts, const std::string& out) {
   config::Rig rig = config::load_rig(file);
+  require_apart({out}, config::files_of(rig));
   rig.sound_set = sound_set;
   config::build_engine(rig, config::sounds_of(rig, parts));
   return {rig.engine, rig.boom_tools};
 }
 
 void pack(const PackOptions& o) {
-  require_not_read(o.out, {o.sound_set, o.rig});
+  require_apart({o.out}, {o.rig});
+  require_apart({o.out}, config::content_of(o.sound_set));
   config::PackedSet set;
   set.parts = config::load_parts(o.sound_set);
-  if (!o.rig.empty()) set.rig = packed_rig(o.rig, o.sound_set, set.parts);
+  if (!o.rig.empty()) set.rig = packed_rig(o.rig, o.sound_set, set.parts, o.out);
   const std::string bytes = config::packed(set);
   write_file(o.out, bytes);
-  fmt::print("{} banks={} tools={} backgrounds={} rig={} bytes={}\n", o.out, set.parts.banks.size(),
-             set.parts.tools.size() + set.parts.strings.size(), set.parts.diesels.size(),
-             set.rig ? "yes" : "no", bytes.size());
+  fmt::print(figures_beside({o.out}), "{} banks={} tools={} backgrounds={} rig={} bytes={}\n", o.out,
+             set.parts.banks.size(), set.parts.tools.size() + set.parts.strings.size(),
+             set.parts.diesels.size(), set.rig ? "yes" : "no", bytes.size());
 }
 
 void unpack(const PackOptions& o) {

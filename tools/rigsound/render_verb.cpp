@@ -1,13 +1,19 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <filesystem>
 #include <optional>
+#include <utility>
 
+#include "endings.hpp"
 #include "log_arguments.hpp"
 #include "log_notes.hpp"
+#include "progress_bar.hpp"
 #include "refused_values.hpp"
 #include "rigsound/audio/excerpt.hpp"
-#include "rigsound/audio/wav_sink.hpp"
+#include "rigsound/audio/file_sink.hpp"
 #include "rigsound/config/fingerprint.hpp"
 #include "rigsound/config/rig.hpp"
 #include "rigsound/default_diesel.hpp"
@@ -18,6 +24,7 @@
 #include "rigsound/session/session_states.hpp"
 #include "rigsound/session/table_states.hpp"
 #include "sha256.hpp"
+#include "standard_output.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -31,33 +38,56 @@ struct RenderArguments {
   bool no_hash = false;
 };
 
+/// Shows on its way how far a source has come.
+class ShownStates : public audio::StateSource {
+ public:
+  /// `last`: how many blocks there will be; 0: nobody knows.
+  ShownStates(audio::StateSource& states, std::uint64_t last) : states_(states), last_(last) {}
+  const MachineState* state_of(std::uint64_t number) override {
+    if (last_ > 0) bar_.show(std::min(1.0, static_cast<double>(number) / static_cast<double>(last_)));
+    return states_.state_of(number);
+  }
+
+ private:
+  audio::StateSource& states_;
+  std::uint64_t last_;
+  ProgressBar bar_;
+};
+
 /// Renders the source, from its beginning on, and prints the figures; --from and --to choose what OUT holds.
-void render(config::Rig& rig, audio::StateSource& states, audio::SampleFormat samples,
+/// `source_s`: length of the source; 0: not known before it ends.
+void render(config::Rig& rig, audio::StateSource& states, double source_s, audio::SampleFormat samples,
             const RenderArguments& options) {
   SoundSet sounds = config::load_sounds(rig);
   const bool built_in_diesel = sounds.diesels.front().name == kDefaultDiesel;
   Engine engine = config::build_engine(rig, std::move(sounds));
-  require_not_read(options.out, {rig.file, rig.sound_set, options.log.log, options.session, options.states});
+  require_apart({options.out}, config::files_of(rig));
   const audio::BlockRange part = audio::blocks_of(options.from_s, options.to_s, rig.engine);
   Sha256 digest;
-  audio::WavSink::Tap hash;
+  audio::FileSink::Tap hash;
   if (!options.no_hash) hash = [&](const void* bytes, std::size_t size) { digest.update(bytes, size); };
-  const audio::WavSink::Format format{static_cast<int>(rig.engine.sample_rate), rig.engine.channels,
-                                      rig.engine.block, samples};
-  audio::WavSink file(options.out, format, hash);
+  const audio::FileSink::Format format{
+      {static_cast<int>(rig.engine.sample_rate), rig.engine.channels, samples}, rig.engine.block};
+  audio::FileSink file(options.out, format, hash);
   audio::LateSink sink(file, part.first);
   audio::EndingStates source(states, part.last);
+  const double shown_s = std::min(source_s, options.to_s);
+  std::optional<ShownStates> shown(
+      std::in_place, source, static_cast<std::uint64_t>(shown_s * rig.engine.sample_rate / rig.engine.block));
   const auto start = std::chrono::steady_clock::now();
   std::vector<float> block = audio::make_block(engine.options());
-  const std::uint64_t blocks = audio::run_blocks(engine, source, sink, block);
+  const std::uint64_t blocks = audio::run_blocks(engine, *shown, sink, block);
+  shown.reset();
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   const double length_s = static_cast<double>(blocks) * rig.engine.block / rig.engine.sample_rate;
   if (blocks <= part.first)
     throw cli::UsageError("--from",
                           fmt::format("{:g} s is after the end at {:.3f} s", options.from_s, length_s));
   file.commit();
-  if (!options.no_hash) fmt::print("sha256 {}\n", digest.hex());
-  fmt::print("realtime_factor {:.2f}\n", length_s / spent.count());
+  tell_clipped(options.out, file.clipped());
+  std::FILE* const figures = figures_beside({options.out});
+  if (!options.no_hash) fmt::print(figures, "sha256 {}\n", digest.hex());
+  fmt::print(figures, "realtime_factor {:.2f}\n", length_s / spent.count());
   if (built_in_diesel)
     fmt::print(stderr, "{}: no background model in the sound set; using the built-in diesel\n",
                rig.sound_set.string());
@@ -72,7 +102,20 @@ config::Rig rig_of(const RenderArguments& options, config::Buses buses) {
 void render_states(const RenderArguments& options) {
   config::Rig rig = rig_of(options, config::Buses::kLeftOut);
   session::TableStates states(options.states, rig.engine);
-  render(rig, states, audio::SampleFormat::kFloat, options);
+  render(rig, states, states.end_s(), audio::SampleFormat::kFloat, options);
+}
+
+/// How long a log is, when anybody sees the progress: it is read once more for that. 0: not known.
+double length_of_log(const config::Rig& rig, const RenderArguments& options) {
+  std::error_code error;
+  if (!ProgressBar().seen() || !std::filesystem::is_regular_file(options.log.log, error)) return 0;
+  const std::unique_ptr<log::BusLog> log =
+      log::open_log(options.log.log, config::buses_of(rig), log_options(options.log));
+  SignalBoard board;
+  double end_s = 0;
+  for (std::optional<double> next = log->next_s(); next; next = log->next_s())
+    log->read_until(end_s = *next, board);
+  return end_s;
 }
 
 void render_log(const RenderArguments& options) {
@@ -80,7 +123,7 @@ void render_log(const RenderArguments& options) {
   const std::unique_ptr<log::BusLog> log =
       log::open_log(options.log.log, config::buses_of(rig), log_options(options.log));
   session::LogStates states(*log, rig.safety, rig.engine);
-  render(rig, states, audio::SampleFormat::kFloat, options);
+  render(rig, states, length_of_log(rig, options), audio::SampleFormat::kFloat, options);
   print_log_notes(options.log.log, *log);
   print_refused_values(rig, states.board());
 }
@@ -99,7 +142,8 @@ void render_session(RenderArguments options) {
   if (fingerprint != header.fingerprint)
     throw InputError(options.session, "was played with another rig or sound set (" + header.fingerprint +
                                           "), expected that of " + options.rig + " (" + fingerprint + ")");
-  render(rig, states, header.format, options);
+  render(rig, states, static_cast<double>(states.blocks()) * header.block / header.sample_rate, header.format,
+         options);
   if (states.bytes_ignored() > 0)
     fmt::print(stderr, "{}: the last {} bytes are not whole and were left out\n", options.session,
                states.bytes_ignored());
@@ -117,14 +161,18 @@ void add_render(cli::Verb& program) {
   source.option("--session", options->session,
                 "what rigsoundd --session wrote: the very samples it played; of a folder the newest");
   source.option("--states", options->states, "CSV as decode prints it: the state itself, no safety rule");
-  verb.option("--out", options->out, "WAV file to write: 32 bit float, or the format of the session's card")
+  verb.option("--out", options->out,
+              "sound file to write: .wav of 32 bit float, or in the format of the session's card; .flac of "
+              "24 bit; .ogg")
       .required();
   add_log_options(verb, options->log);
   verb.option("--seed", options->seed, "instead of the rig's seed; a session has its own");
-  verb.option("--from", options->from_s, "s; OUT begins with the block that holds it").at_least(0);
-  verb.option("--to", options->to_s, "s; OUT ends with the block before it; left out: the end").at_least(0);
+  verb.option("--from", options->from_s, "OUT begins with the block that holds it").at_least(0, "s");
+  verb.option("--to", options->to_s, "OUT ends with the block before it; left out: the end").at_least(0, "s");
   verb.flag("--no-hash", options->no_hash, "print no sha256");
   verb.callback([options] {
+    require_apart({options->out}, {options->rig, options->log.log, options->session, options->states});
+    require_sound_ending("--out", options->out);
     if (options->to_s <= options->from_s) throw cli::UsageError("--to", "expected more than --from");
     if (!options->log.log.empty())
       render_log(*options);
@@ -132,11 +180,14 @@ void add_render(cli::Verb& program) {
       options->session.empty() ? render_states(*options) : render_session(*options);
   });
   verb.details(
-      "Prints `sha256 HEX` of the PCM bytes in the WAV's data chunk, then `realtime_factor X`: seconds of "
+      "Prints `sha256 HEX` of the PCM bytes as a WAV has them in its data chunk, then `realtime_factor X`: "
+      "seconds of "
       "sound per "
       "second of rendering. Everything a frame or a row says acts from the next block on; the sound ends "
       "with the last "
-      "one. With --from and --to OUT holds the very samples of that part of the whole.");
+      "one. With --from and --to OUT holds the very samples of that part of the whole. With `--out -` the "
+      "sound goes to "
+      "standard output and the figures to stderr.");
   verb.example("rigsound render config/rigs/demo.toml --log config/logs/shift.log --out out/demo.wav");
 }
 

@@ -2,9 +2,12 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
+#include "progress_bar.hpp"
 #include "rigsound/analysis/simulate.hpp"
+#include "rigsound/file/atomic_folder.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -48,24 +51,37 @@ std::vector<int> rod_counts(const std::string& text) {
   return counts;
 }
 
-std::vector<std::string> situations(const SimulateOptions& o) {
+/// Each part takes about as long as it sounds: seven recordings, three a rod count, the ramp.
+std::vector<std::string> situations(const SimulateOptions& o, const std::filesystem::path& folder,
+                                    const analysis::Progress& progress) {
   const double seconds = o.seconds > 0 ? o.seconds : kRecordingSeconds;
   const std::vector<int> counts = o.rods.empty() ? std::vector<int>() : rod_counts(o.rods);
-  std::vector<std::string> lines = analysis::write_situations(o.folder, o.seed, seconds);
+  const double main_s = 7 * seconds, rods_s = 3 * seconds * static_cast<double>(counts.size()),
+               all_s = main_s + rods_s + o.ramp_seconds;
+  std::vector<std::string> lines =
+      analysis::write_situations(folder, o.seed, seconds, analysis::part_of(progress, 0, main_s / all_s));
   const auto add = [&lines](const std::vector<std::string>& more) {
     lines.insert(lines.end(), more.begin(), more.end());
   };
-  if (!counts.empty()) add(analysis::write_rods(o.folder, o.seed, counts, seconds));
-  if (o.ramp_seconds > 0) add(analysis::write_feed_ramp(o.folder, o.seed, o.ramp_seconds));
+  if (!counts.empty())
+    add(analysis::write_rods(folder, o.seed, counts, seconds,
+                             analysis::part_of(progress, main_s / all_s, (main_s + rods_s) / all_s)));
+  if (o.ramp_seconds > 0) add(analysis::write_feed_ramp(folder, o.seed, o.ramp_seconds));
   return lines;
 }
 
 void simulate(const SimulateOptions& o) {
+  AtomicFolder folder(o.folder);  // all recordings or none
+  ProgressBar bar;
+  const auto progress = [&bar](double share) { bar.show(share); };
   const std::vector<std::string> lines =
-      o.ids.empty()
-          ? situations(o)
-          : analysis::write_drillbench(o.folder, {expand("--ids", o.ids), o.snr_db,
-                                                  o.seconds > 0 ? o.seconds : kClipSeconds, o.rate_factor});
+      o.ids.empty() ? situations(o, folder.temporary(), progress)
+                    : analysis::write_drillbench(folder.temporary(),
+                                                 {expand("--ids", o.ids), o.snr_db,
+                                                  o.seconds > 0 ? o.seconds : kClipSeconds, o.rate_factor},
+                                                 progress);
+  bar.clear();
+  folder.join();
   for (const std::string& line : lines) std::printf("%s\n", line.c_str());
 }
 
@@ -79,13 +95,13 @@ void add_simulate(cli::Verb& program) {
   verb.option("--out", o->folder, "folder for the recordings; truth/ and engine/ are made inside").required();
   verb.option("--seed", o->seed, "other seeds: other recordings of the same machine").shows_default();
   verb.option("--seconds", o->seconds, "length of a recording (default 18, of a DrillBench clip 2)")
-      .range(1, 3600);
+      .range(1, 3600, "s");
   const cli::Option ids =
       verb.option("--ids", o->ids, "DrillBench clips by number instead, such as 100-131 or 3,7")
           .separated_by_commas();
   verb.option("--feed-ramp", o->ramp_seconds,
               "also a recording of so many seconds along a feed ramp, with its bus log; the name alone: 120")
-      .range(10, 3600)
+      .range(10, 3600, "s")
       .value_or("120")
       .excludes(ids);
   verb.option("--rods", o->rods,

@@ -1,10 +1,11 @@
 // rigsound timeline: the picture of a render.
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 
+#include "endings.hpp"
+#include "progress_bar.hpp"
 #include "rigsound/analysis/timeline.hpp"
 #include "rigsound/config/rig.hpp"
 #include "rigsound/machine/signal.hpp"
@@ -21,9 +22,7 @@ struct TimelineArguments {
 };
 
 void draw(TimelineArguments o) {
-  if (std::filesystem::path(o.picture).extension() != ".png")
-    throw cli::UsageError("OUT.png",
-                          "'" + o.picture + "' is no name for a PNG, expected one that ends in .png");
+  require_ending("OUT.png", o.picture, {".png"});
   SceneOptions& scene = o.timeline.scene;
   if (!o.rig.empty()) scene = config::load_rig(o.rig, config::Buses::kLeftOut).engine.scene;
   if (o.underfeed->given()) scene.underfeed_bar = o.underfeed_bar;
@@ -32,7 +31,9 @@ void draw(TimelineArguments o) {
     throw cli::UsageError("--underfeed",
                           fmt::format("is {:g} bar, expected less than the {:g} bar of overfeed",
                                       scene.underfeed_bar, scene.overfeed_bar));
-  analysis::write_timeline(o.picture, o.sound, o.states, o.timeline);
+  ProgressBar bar;
+  analysis::write_timeline(o.picture, o.sound, o.states, o.timeline,
+                           [&bar](double share) { bar.show(share); });
 }
 
 }  // namespace
@@ -45,19 +46,19 @@ void add_timeline(cli::Verb& program) {
   verb.option("--states", o->states, "CSV time_s,signal,value, what `rigsound decode` prints").required();
   verb.option("--rig", o->rig, "take the thresholds from this rig");
   const auto threshold = [&](const char* name, double& bar, const char* help) {
-    return verb.option(name, bar, help).shows_default().range(0, info(Signal::kFeedPressureBar).max);
+    return verb.option(name, bar, help).shows_default().range(0, info(Signal::kFeedPressureBar).max, "bar");
   };
-  o->underfeed = threshold("--underfeed", o->underfeed_bar,
-                           "feed pressure under which it is underfeed, bar; beats --rig");
+  o->underfeed =
+      threshold("--underfeed", o->underfeed_bar, "feed pressure under which it is underfeed; beats --rig");
   o->overfeed =
-      threshold("--overfeed", o->overfeed_bar, "feed pressure over which it is overfeed, bar; beats --rig");
+      threshold("--overfeed", o->overfeed_bar, "feed pressure over which it is overfeed; beats --rig");
   verb.option("--title", o->timeline.title, "over the picture (default: the name of the sound)");
-  verb.option("--width", o->timeline.width, "of the picture, pixels")
+  verb.option("--width", o->timeline.width, "of the picture")
       .shows_default()
-      .range(analysis::kMinTimelineWidth, analysis::kMaxTimelineSide);
-  verb.option("--height", o->timeline.height, "of the picture, pixels")
+      .range(analysis::kMinTimelineWidth, analysis::kMaxTimelineSide, "pixels");
+  verb.option("--height", o->timeline.height, "of the picture")
       .shows_default()
-      .range(analysis::kMinTimelineHeight, analysis::kMaxTimelineSide);
+      .range(analysis::kMinTimelineHeight, analysis::kMaxTimelineSide, "pixels");
   verb.callback([o] { draw(*o); });
   verb.details(
       "Situations are coloured and named by the engine's own rule, hysteresis included. Signals that the "

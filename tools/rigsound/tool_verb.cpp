@@ -6,11 +6,17 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "endings.hpp"
+#include "progress_bar.hpp"
+#include "read_recording.hpp"
 #include "rigsound/analysis/tool_fit.hpp"
 #include "rigsound/analysis/tool_plot.hpp"
+#include "rigsound/config/sound_set_files.hpp"
 #include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/config/tool_files.hpp"
 #include "rigsound/file/atomic_file.hpp"
+#include "rigsound/file/read_files.hpp"
+#include "standard_output.hpp"
 #include "tool/drill_string.hpp"
 #include "verbs.hpp"
 
@@ -82,8 +88,12 @@ void print_json(const std::vector<TunedMode>& modes, nlohmann::ordered_json json
 /// The steel as asked for, or as heard in the recording.
 ToolModel model_of(const ToolOptions& o, nlohmann::ordered_json& json) {
   if (!o.recording.empty()) {
-    const analysis::ToolFit fit = analysis::fit_tool(
-        analysis::read_recording(o.recording, {}, "struck steel"), o.recording, {o.length_m, o.diameter_m});
+    const analysis::ToolFit fit = [&] {
+      const analysis::Recording recording = read_whole(o.recording, "struck steel");
+      ProgressBar bar;
+      return analysis::fit_tool(recording, o.recording, {o.length_m, o.diameter_m},
+                                [&bar](double share) { bar.show(share); });
+    }();
     report(fit);
     json["fit"] = fit_json(fit);
     return fit.model;
@@ -125,6 +135,11 @@ void design_bar(const ToolOptions& o) {
 }
 
 void run(const ToolOptions& o) {
+  require_file("--plot", o.plot);
+  require_apart({o.plot}, {o.recording});
+  for (const std::string& sound_set : {o.sound_set, o.drill_string.rocks_of})
+    require_apart({o.plot}, config::content_of(sound_set));
+  require_ending("--plot", o.plot, {".svg"});
   if (!o.is_string) return design_bar(o);
   DrillStringOptions drill_string = o.drill_string;
   drill_string.model.rod_length_m = o.length_m;

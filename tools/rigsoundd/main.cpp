@@ -64,9 +64,8 @@ int main(int argc, char** argv) {
   verb.option("--session", session,
               "write what happens to DIR, each run to a file named by the time it began")
       .type("DIR");
-  verb.option("--session-limit", limit_mb,
-              "MB that all sessions of DIR together may take; the oldest go first")
-      .range(0.01, 1e6)
+  verb.option("--session-limit", limit_mb, "that all sessions of DIR together may take; the oldest go first")
+      .range(0.01, 1e6, "MB")
       .shows_default();
   verb.flag("--manual", manual, "open no bus: signals are what `rigsound ctl set` says");
   verb.details(

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "progress_bar.hpp"
+#include "read_recording.hpp"
 #include "rigsound/analysis/rate.hpp"
-#include "rigsound/analysis/recording.hpp"
 #include "rigsound/analysis/time_table.hpp"
 #include "rigsound/default_diesel.hpp"
 #include "rigsound/machine/input_error.hpp"
@@ -54,11 +55,6 @@ void require_matching(const LearningOptions& o) {
     throw cli::UsageError("--rpm", "is needed, or --rpm-track");
 }
 
-std::string name_of(const LearningOptions& o) {
-  if (!o.name.empty()) return o.name;
-  return o.formula ? "formula" : std::filesystem::path(o.inputs.front()).stem().string();
-}
-
 analysis::LearnedDiesel built_in() {
   analysis::LearnedDiesel learned;
   learned.model = default_diesel();
@@ -69,11 +65,16 @@ analysis::LearnedDiesel built_in() {
 
 }  // namespace
 
+std::string background_name(const LearningOptions& o) {
+  if (!o.name.empty()) return o.name;
+  return o.formula || o.inputs.empty() ? "formula" : std::filesystem::path(o.inputs.front()).stem().string();
+}
+
 std::vector<analysis::DieselTake> read_takes(const LearningOptions& o) {
   require_matching(o);
   std::vector<analysis::DieselTake> takes;
   for (std::size_t i = 0; i < o.inputs.size(); ++i) {
-    const analysis::Recording recording = analysis::read_recording(o.inputs[i], {}, "engine");
+    const analysis::Recording recording = read_whole(o.inputs[i], "engine");
     analysis::DieselTake take;
     take.source = o.inputs[i];
     take.mono = recording.mono;
@@ -93,19 +94,23 @@ std::vector<analysis::DieselTake> read_takes(const LearningOptions& o) {
 
 analysis::LearnedDiesel learn(const std::vector<analysis::DieselTake>& takes, const LearningOptions& o) {
   analysis::DieselSettings settings = o.settings;
-  settings.name = name_of(o);
-  analysis::LearnedDiesel learned = o.formula ? built_in() : analysis::learn_diesel(takes, settings);
+  settings.name = background_name(o);
+  ProgressBar bar;
+  analysis::LearnedDiesel learned =
+      o.formula ? built_in()
+                : analysis::learn_diesel(takes, settings, [&bar](double share) { bar.show(share); });
+  bar.clear();
   learned.model.name = settings.name;
-  if (!o.start.empty()) learned.model.start = analysis::read_recording(o.start, {}, "engine").mono;
-  if (!o.stop.empty()) learned.model.stop = analysis::read_recording(o.stop, {}, "engine").mono;
+  if (!o.start.empty()) learned.model.start = read_whole(o.start, "engine").mono;
+  if (!o.stop.empty()) learned.model.stop = read_whole(o.stop, "engine").mono;
   return learned;
 }
 
 void add_learning_options(cli::Verb& verb, LearningOptions& o) {
   verb.positional("IN.wav", o.inputs, "recordings of one diesel, each at one speed or with its speed track");
-  const cli::Option rpm = verb.option("--rpm", o.rpm, "r/min of each recording, within 3 %")
+  const cli::Option rpm = verb.option("--rpm", o.rpm, "speed of each recording, within 3 %")
                               .separated_by_commas()
-                              .range(kSlowest_rpm, kFastest_rpm);
+                              .range(kSlowest_rpm, kFastest_rpm, "r/min");
   verb.option("--rpm-track", o.rpm_tracks, "CSV time_s,rpm of each recording").excludes(rpm);
   verb.option("--load", o.load, "engine load of each recording").separated_by_commas().range(0, 1);
   verb.option("--name", o.name, "name of the background (default: that of the first recording)");
@@ -113,9 +118,9 @@ void add_learning_options(cli::Verb& verb, LearningOptions& o) {
               "CSV of `rigsound clicks`: the impacts in each recording, not listened to");
   verb.option("--grains", o.settings.grains, "cycles to keep for the high layer, from clean recordings")
       .value_or("48")
-      .range(48, 1000);
-  verb.option("--crossover", o.settings.crossover_hz, "Hz, between the low and the high layer")
-      .range(200, 800);
+      .range(48, 1000, "cycles");
+  verb.option("--crossover", o.settings.crossover_hz, "between the low and the high layer")
+      .range(200, 800, "Hz");
   verb.option("--start", o.start, "recording of the diesel being started, kept as it is");
   verb.option("--stop", o.stop, "recording of the diesel dying away, kept as it is");
   verb.flag("--formula", o.formula, "the built-in diesel instead of recordings");

@@ -19,6 +19,9 @@ struct LearningOptions {
 
 void add_learning_options(cli::Verb& verb, LearningOptions& o);
 
+/// As asked for, or that of the first recording.
+std::string background_name(const LearningOptions& o);
+
 /// The recordings with what is known of each; none with --formula. Errors: InputError, and UsageError when
 /// the lists of options do not fit the recordings.
 std::vector<analysis::DieselTake> read_takes(const LearningOptions& o);

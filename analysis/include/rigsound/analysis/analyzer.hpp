@@ -28,6 +28,7 @@ struct AnalyzerOptions {
   int jobs = 1;               ///< parts analysed at the same time
   int shard = 1, shards = 1;  ///< this run does every shards-th part
   ReportSections report = ReportSections::kSkip;
+  std::filesystem::path page;  ///< what the caller will write of the sections: must be nothing that is read
   std::string tool_version;
 };
 
@@ -57,14 +58,18 @@ struct AnalyzerResult {
   std::vector<std::string> notes;     ///< one line each: what people should know about their recordings
 };
 
-/// Called from one thread at a time. Parts that were kept count neither as analysed nor in the total.
-using AnalyzerProgress = std::function<void(int analysed, int total)>;
+/// Called while the work goes on, from any of its threads but one at a time.
+struct AnalyzerListener {
+  std::function<void(const AnalysedPart& bank)> done;  ///< a bank is on disk, or was; in the order they come
+  std::function<void(int analysed, int total)> progress;  ///< parts that were kept count in neither
+};
 
 /// A bus log cuts its recording into parts and wins over labels. Analyses every part that has no finished
 /// bank with the same settings and source hash yet, and adds missing entries to soundset.toml. A bank is on
 /// disk whole or not at all; several shards may write to one sound set at once. Errors: InputError when there
-/// is nothing to analyse or soundset.toml is broken; DeviceError for the disk. A part that cannot be analysed
-/// is no error but a line of `failures`. Thread: OFF; starts `jobs` threads and joins them.
-AnalyzerResult run_analyzer(const AnalyzerOptions& options, const AnalyzerProgress& progress);
+/// is nothing to analyse, soundset.toml is broken or something would be written over that is read;
+/// DeviceError for the disk. A part that cannot be analysed is no error but a line of `failures`. Thread:
+/// OFF; starts `jobs` threads and joins them.
+AnalyzerResult run_analyzer(const AnalyzerOptions& options, const AnalyzerListener& listener);
 
 }  // namespace rigsound::analysis

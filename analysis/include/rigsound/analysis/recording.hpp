@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,11 +14,11 @@ struct Recording {
   int source_rate = 0;      ///< Hz, of the file
   int source_channels = 0;  ///< of the file; more than one were averaged into `mono`
   long source_frames = 0;   ///< samples read, at the file's own rate
+  bool silent = false;      ///< holds no sound at all, a constant offset at most
   double clipped = 0;       ///< share of them on flat tops, 0...1
 };
 
 constexpr int kMinSourceRate = 16000;  ///< Hz; below it the clicks' bandwidth is not there
-constexpr int kMaxSourceChannels = 2;  ///< microphones on one drill; more is a mixing desk's file
 constexpr double kMinRecordingSeconds = 0.25;
 
 /// A piece of a recording; what lies behind its end is not there.
@@ -25,12 +26,18 @@ struct Stretch {
   double start_s = 0, end_s = std::numeric_limits<double>::infinity();
 };
 
-/// Reads a stretch of any file libsndfile reads, averages its channels and resamples it to kAnalysisRate.
-/// Errors: InputError when the file is missing, unreadable, or lies outside the ranges above, or the stretch
-/// is empty, too short, silent, or holds a sample that is not finite. `subject`: what a silent one lacks.
-/// Thread: OFF.
+/// Reads a stretch of any file libsndfile reads (`-`: standard input), averages its channels and resamples it
+/// to kAnalysisRate. Errors: InputError when the file is missing, unreadable, or lies outside the ranges
+/// above, or the stretch is empty, too short, silent, or holds a sample that is not finite. `subject`: what a
+/// silent one lacks. Thread: OFF.
 Recording read_recording(const std::filesystem::path& path, const Stretch& stretch = {},
                          std::string_view subject = "drilling");
+
+/// The whole file, as above, but a silent one is no error. Thread: OFF.
+Recording read_recording_or_silence(const std::filesystem::path& path);
+
+/// "FILE: 6 channels mixed down to one", for people; empty when there was one. Thread: OFF.
+std::string mix_down_note(const std::filesystem::path& path, const Recording& recording);
 
 /// Length of the file. Errors: InputError as above. Thread: OFF.
 double recording_seconds(const std::filesystem::path& path);

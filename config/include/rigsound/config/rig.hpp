@@ -51,6 +51,7 @@ struct Rig {
   std::vector<int> boom_tool_lines;
   SafetyOptions safety;
   std::vector<can::CanOptions> can;
+  std::vector<std::filesystem::path> dbc_files;  ///< that they were read from
   std::vector<modbus::ModbusOptions> modbus;
   std::vector<udp::UdpOptions> udp;
   osc::OscOptions osc;
@@ -89,6 +90,9 @@ Engine build_engine(const Rig& rig, SoundSet sounds);
 /// What `[control] token_file` holds; empty without one. Errors: InputError when it is no token, or anybody
 /// may read it. Thread: OFF.
 std::string control_token(const Rig& rig);
+
+/// What the rig was and will be read from: its file, its sound set, its DBC files.
+std::vector<std::filesystem::path> files_of(const Rig& rig);
 
 /// The buses of the rig, for reading a log of them.
 log::Buses buses_of(const Rig& rig);

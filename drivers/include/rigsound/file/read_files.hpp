@@ -6,8 +6,13 @@
 
 namespace rigsound {
 
-/// Errors: InputError when writing `output` would replace one of `inputs`, by whatever name or link, or a
-/// file that lies in an input that is a folder. Empty paths count for nothing. Thread: OFF.
-void require_not_read(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs);
+/// Errors: InputError when writing one of `outputs` would replace one of `inputs`, by whatever name or link,
+/// a file that lies in an input that is a folder, or another of `outputs`. Empty paths count for nothing, as
+/// do devices, pipes and `-`. Thread: OFF.
+void require_apart(const std::vector<std::filesystem::path>& outputs,
+                   const std::vector<std::filesystem::path>& inputs);
+
+/// Errors: InputError when one of `inputs` lies in `folder`, whose content is made anew. Thread: OFF.
+void require_outside(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& inputs);
 
 }  // namespace rigsound

@@ -57,6 +57,28 @@ TEST_CASE("every part gets its bank, a bad recording stops nothing and is listed
   CHECK(index.rocks[0].name == "granite");
 }
 
+TEST_CASE("each bank is told when it is on disk, before the next is begun") {
+  const Workplace at;
+  write_recordings(at);
+  std::vector<std::string> told;
+  AnalyzerListener listener;
+  listener.done = [&](const AnalysedPart& part) {
+    told.push_back(part.part.bank);
+    CHECK(fs::exists(at / "set/banks" / part.part.bank / "figures.json"));
+    const auto folders = fs::directory_iterator(at / "set/banks");
+    CHECK(std::distance(begin(folders), end(folders)) == std::ptrdiff_t(told.size()));
+  };
+  run_analyzer(options_for(at, "set"), listener);
+  CHECK(told == std::vector<std::string>{"two_00000ms", "two_02100ms", "whole"});
+  told.clear();
+  listener.done = [&](const AnalysedPart& part) {
+    told.push_back(part.part.bank);
+    CHECK(part.kept);
+  };
+  run_analyzer(options_for(at, "set"), listener);
+  CHECK(told.size() == 3);
+}
+
 TEST_CASE("banks do not depend on jobs and shards") {
   const Workplace at;
   write_recordings(at);
@@ -140,7 +162,8 @@ TEST_CASE("a broken soundset.toml is told before anything is analysed") {
   fs::create_directories(at / "set");
   write_text(at / "set/soundset.toml", "format = 99\n");
   int analysed = 0;
-  CHECK_THROWS_AS(run_analyzer(options_for(at, "set"), [&](int done, int) { analysed = done; }), InputError);
+  const AnalyzerListener listener{{}, [&](int done, int) { analysed = done; }};
+  CHECK_THROWS_AS(run_analyzer(options_for(at, "set"), listener), InputError);
   CHECK(analysed == 0);
   CHECK(read_text(at / "set/soundset.toml") == "format = 99\n");
 }
