@@ -140,7 +140,7 @@ void write_background_plot(const std::filesystem::path& file, const std::vector<
     draw_spectrum(canvas, {0, top, kSpectrumWidth, bottom}, point, sounds);
     draw_envelopes(canvas, {kSpectrumWidth, top, kWidth, bottom}, sounds);
   }
-  write_file(file, canvas.document());
+  write_file(file, canvas.document("Diesel " + model.name));
 }
 
 }  // namespace rigsound::analysis

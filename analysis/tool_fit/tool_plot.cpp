@@ -86,7 +86,7 @@ std::string tool_plot_svg(std::string_view title, const std::vector<TunedMode>& 
   canvas.words({kWidth - 10, kLine}, legend, kLegendSize);
   draw_tuning(canvas, modes);
   draw_decays(canvas, modes);
-  return canvas.document();
+  return canvas.document(std::string(title));
 }
 
 }  // namespace rigsound::analysis
