@@ -5,20 +5,16 @@
 #include <regex>
 
 #include "chart/markup_text.hpp"
-#include "chart/style_sheet.hpp"
+#include "chart/number_word.hpp"
 #include "contrast/contrast_charts.hpp"
 #include "contrast/listening.hpp"
-#include "report/page_style.hpp"
+#include "report/page_frame.hpp"
 #include "rigsound/file/atomic_file.hpp"
 
 namespace rigsound::analysis {
-namespace {
+using chart::number_word;
 
-constexpr const char* kHead = R"(<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">
-<title>rigsound contrast</title>
-<style>
-)";
+namespace {
 
 // On top of the report's style.
 constexpr const char* kContrastStyle = R"(
@@ -40,11 +36,6 @@ section { content-visibility: visible; margin-bottom: 1.8em } h2 { margin-bottom
   .verdicts { font-size: 1.08em } }
 @media print { .charts { grid-template-columns: 1fr 1fr } .matrix td { print-color-adjust: exact; -webkit-print-color-adjust: exact } }
 )";
-
-std::string number(double value, int digits) {
-  const std::string text = fmt::format("{:.{}f}", value, digits);
-  return text[0] == '-' ? "−" + text.substr(1) : text;
-}
 
 bool is_bad(const std::string& verdict) {
   return verdict.find("cannot") != std::string::npos || verdict.find("Not told") != std::string::npos;
@@ -80,7 +71,7 @@ std::string cell(const PairFigures& pair, double farthest_db) {
       "phon\"><b>{:.1f} "
       "dB</b><small>{:.0f} % right</small></td>",
       pair.told_apart() ? "" : " class=\"same\"", depth, 100 * pair.right, pair.third_octave_floor_db,
-      pair.modulation_db, pair.modulation_floor_db, 100 * pair.rate, number(pair.phon, 1),
+      pair.modulation_db, pair.modulation_floor_db, 100 * pair.rate, number_word(pair.phon, 1),
       pair.third_octave_db, 100 * pair.right);
 }
 
@@ -111,8 +102,8 @@ std::string sound_table(const SubjectGroup& group) {
     html += fmt::format(
         "<tr><td>{}</td><td class=\"n\">{:g}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td "
         "class=\"n\">{}</td><td>{}</td></tr>\n",
-        chart::markup_text(s.subject.name), s.subject.setting.feed_bar, number(s.rate_hz, 1),
-        number(s.loudness_sone, 1), number(s.loudness_phon, 1),
+        chart::markup_text(s.subject.name), s.subject.setting.feed_bar, number_word(s.rate_hz, 1),
+        number_word(s.loudness_sone, 1), number_word(s.loudness_phon, 1),
         s.subject.banks.empty() ? "–" : chart::markup_text(bank_list(s.subject)));
   return html + "</table></div>\n";
 }
@@ -153,14 +144,13 @@ std::string method(const Contrast& c) {
 }  // namespace
 
 void write_contrast_page(const std::filesystem::path& path, const Contrast& c) {
-  std::string html = kHead + chart::page_colours() + kPageStyle + chart::chart_styles() + kContrastStyle;
-  html += "</style></head><body>\n<h1 id=\"top\">Can it be heard?</h1>\n<p class=\"quiet\">Sound set " +
-          chart::markup_text(c.plan.sound_set.string()) + "</p>\n" + verdict_list(c);
+  std::string html = page_start("Can it be heard?", kContrastStyle) + "<p class=\"quiet\">Sound set " +
+                     chart::markup_text(c.plan.sound_set.string()) + "</p>\n" + verdict_list(c);
   html += "<section><h2>From which feed on</h2>\n<div class=\"charts\">" + heard_chart(c) +
           distance_chart(c) + loudness_chart(c) + rate_chart(c) + "</div></section>\n";
   html += group_section("The situations", c.situations) + group_section("Rods", c.rods) +
           group_section("Rocks", c.rocks) + method(c);
-  write_file(path, html + "</body></html>\n");
+  write_file(path, html + kPageEnd);
 }
 
 }  // namespace rigsound::analysis
