@@ -3,6 +3,7 @@
 #include <chrono>
 #include <optional>
 
+#include "figure_row.hpp"
 #include "log_arguments.hpp"
 #include "log_notes.hpp"
 #include "refused_values.hpp"
@@ -27,7 +28,7 @@ struct RenderArguments {
   LogArguments log;
   std::optional<std::uint64_t> seed;
   double from_s = 0, to_s = HUGE_VAL;
-  bool no_hash = false;
+  bool no_hash = false, json = false;
 };
 
 /// Renders the source, from its beginning on, and prints the figures; --from and --to choose what OUT holds.
@@ -55,8 +56,13 @@ void render(config::Rig& rig, audio::StateSource& states, audio::SampleFormat sa
     throw cli::UsageError("--from",
                           fmt::format("{:g} s is after the end at {:.3f} s", options.from_s, length_s));
   file.commit();
-  if (!options.no_hash) fmt::print("sha256 {}\n", digest.hex());
-  fmt::print("realtime_factor {:.2f}\n", length_s / spent.count());
+  FigureRow figures;
+  if (!options.no_hash) figures.add("sha256", digest.hex());
+  figures.add("realtime_factor", length_s / spent.count(), "{:.2f}");
+  if (options.json)
+    print_document(figures.json());
+  else
+    fmt::print("{}", figures.lines());
   if (built_in_diesel)
     fmt::print(stderr, "{}: no background model in the sound set; using the built-in diesel\n",
                rig.sound_set.string());
@@ -121,6 +127,7 @@ void add_render(cli::Verb& program) {
   verb.option("--from", options->from_s, "s; OUT begins with the block that holds it").at_least(0);
   verb.option("--to", options->to_s, "s; OUT ends with the block before it; left out: the end").at_least(0);
   verb.flag("--no-hash", options->no_hash, "print no sha256");
+  verb.flag("--json", options->json, "the figures as one JSON document");
   verb.callback([options] {
     if (options->to_s <= options->from_s) throw cli::UsageError("--to", "expected more than --from");
     if (!options->log.log.empty())
@@ -135,6 +142,7 @@ void add_render(cli::Verb& program) {
       "with the last "
       "one. With --from and --to OUT holds the very samples of that part of the whole.");
   verb.example("rigsound render config/rigs/demo.toml --log config/logs/shift.log --out out/demo.wav");
+  verb.example("rigsound render rig.toml --states bus.csv --out bus.wav --json");
 }
 
 }  // namespace rigsound::tools
