@@ -37,7 +37,7 @@ a:focus-visible, audio:focus-visible { outline: 2px solid var(--first); outline-
 .player audio { flex: 1 1 auto; min-width: 0; max-width: 34em; height: 2.4em }
 .cards tbody th { border-bottom-color: var(--faint) } .legend dl { gap: .2em 2.2em } .legend dd { max-width: 26em }
 @media (max-width: 640px) {
-  body { padding: 0 .8em; overflow-wrap: anywhere } .broad { display: none } .narrow { display: grid }
+  body { padding: 0 .8em } h1, h2, p, .cards tr { overflow-wrap: anywhere } .broad { display: none } .narrow { display: grid }
   h2 span { float: none; display: block } h2 span a { margin: 0 .8em 0 0 }
   .player label { display: block } .player audio { width: 100%; max-width: none }
   .five { grid-template-columns: 1fr 1fr }

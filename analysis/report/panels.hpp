@@ -18,8 +18,9 @@ struct Sheet {
   double full, half;    ///< pixels, of a chart over the whole width and one beside another
   std::size_t columns;  ///< of a waveform
   int ticks;            ///< of an axis of time
+  double longest_s;     ///< of an axis of time
 };
-constexpr Sheet kWideSheet{"broad", 1200, 594, 720, 10}, kNarrowSheet{"narrow", 392, 392, 240, 4};
+constexpr Sheet kWideSheet{"broad", 1200, 594, 720, 10, 2}, kNarrowSheet{"narrow", 392, 392, 240, 4, 0.7};
 
 /// One segment of a part, as far as it is shown.
 struct ShownSegment {
@@ -28,8 +29,8 @@ struct ShownSegment {
   double start_s;  ///< in the recording
 };
 
-/// On one axis of time, at most two seconds: spectrograms of the recording, of what was taken away and of
-/// what is left; below them the waveform before and after with a line at every detected click.
+/// On one axis of time, as long as the sheet allows: spectrograms of the recording, of what was taken away
+/// and of what is left; below them the waveform before and after with a line at every detected click.
 std::string time_panels(const ShownSegment& segment, const Sheet& sheet);
 /// Mean level after a click, as recorded and as whitened for the fit, against the fitted envelope.
 std::string envelope_panel(const ChainResult& segment);

@@ -98,7 +98,7 @@ std::string third_octave_panel(const Segments& segments, const std::vector<float
 std::string modulation_panel(const Segments& segments, const std::vector<float>& synthesis,
                              const Sheet& sheet) {
   const BandLevels recorded = recorded_modulation(segments), synthesised = modulation_levels(synthesis);
-  return spectrum("Modulation of the envelope",
+  return spectrum("Envelope modulation",
                   frequency_axis("modulation frequency, Hz", 1, 260, {1, 2, 4, 8, 16, 32, 64, 128, 256}),
                   level_axis("dB re the mean", recorded, synthesised, 45), recorded, synthesised, sheet);
 }

@@ -13,12 +13,11 @@ namespace {
 using chart::Axis, chart::frequency_axis, chart::linear_axis, chart::Outline, chart::outline, chart::Role,
     chart::SvgPlot;
 
-constexpr double kLongest_s = 2;
 constexpr double kSpectrogramHeight = 150, kWaveformHeight = 200;
 constexpr double kBarRoom = 66;  // right of the plane, for the colours
 
-std::vector<float> beginning(const std::vector<float>& x) {
-  const auto count = std::min(x.size(), static_cast<std::size_t>(kLongest_s * kAnalysisRate));
+std::vector<float> beginning(const std::vector<float>& x, double seconds) {
+  const auto count = std::min(x.size(), static_cast<std::size_t>(seconds * kAnalysisRate));
   return {x.begin(), x.begin() + static_cast<long>(count)};
 }
 
@@ -55,7 +54,8 @@ std::string waveform(const Axis& time, const ShownSegment& segment, const std::v
 }  // namespace
 
 std::string time_panels(const ShownSegment& segment, const Sheet& sheet) {
-  const std::vector<float> before = beginning(segment.recorded), after = beginning(segment.chain.drilling);
+  const std::vector<float> before = beginning(segment.recorded, sheet.longest_s),
+                           after = beginning(segment.chain.drilling, sheet.longest_s);
   std::vector<float> background(before.size());
   for (std::size_t n = 0; n < before.size(); ++n) background[n] = before[n] - after[n];
   const double end_s = segment.start_s + static_cast<double>(before.size()) / kAnalysisRate;

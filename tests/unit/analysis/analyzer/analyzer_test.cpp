@@ -204,7 +204,7 @@ TEST_CASE("the report is one page without anything from outside") {
     CHECK(page.find("<section id=\"" + p.part.bank + "\">") != std::string::npos);
   for (const char* title :
        {"Recording", "Background, taken away", "Detected clicks", "Envelope", "Gaps between clicks",
-        "Amplitudes of clicks", "Third-octave levels", "Modulation of the envelope", "Click 10"})
+        "Amplitudes of clicks", "Third-octave levels", "Envelope modulation", "Click 10"})
     CHECK(page.find(title) != std::string::npos);
   CHECK(page.find("bad.wav") != std::string::npos);
   for (const char* outside :
