@@ -92,13 +92,14 @@ class Json(Case):
         for verb in having:
             self.assertRegex(run(verb, '--help').stdout, rf'rigsound {verb} .*--json', verb)
         for verb in ('analyze', 'background', 'bench', 'check', 'clicks', 'contrast', 'decode', 'pack', 'render', 'replay',
-                     'tool', 'unpack'):
+                     'simulate', 'tool', 'unpack'):
             self.assertIn(verb, having)
 
     def test_clicks_and_analyze(self):
-        self.done('simulate', '--out', self.folder, '--ids', 100, '--snr', 12)
-        clip = sorted(self.folder.rglob('*.wav'))[-1]
-        clip = next((p for p in sorted(self.folder.rglob('*.wav')) if '12' in p.name), clip)
+        clips = ('simulate', '--out', self.folder, '--ids', 100, '--snr', 12)
+        truth = self.document(*clips)['recordings']
+        self.same([words_of('recording=' + self.done(*clips))], truth)
+        clip = self.folder / 'c100_12.wav'
         found = self.document('clicks', clip)
         self.assertTrue(found['drilling_found'])
         self.assertGreater(len(found['clicks']), 10)
