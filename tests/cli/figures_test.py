@@ -180,8 +180,10 @@ class RecordedBlow(Case):
 
     def test_bounds_hold_the_true_decay(self):
         blow = self.blow('blow.wav', 0.2, 0.3, self.modes())
-        result = run('tool', '--from', blow, *BAR)
+        plot = self.folder / 'blow.svg'
+        result = run('tool', '--from', blow, *BAR, '--plot', plot)
         self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn('recorded, 95 %', plot.read_text())
         rows = [row for row in csv.DictReader(io.StringIO(result.stdout)) if row['t60_low_s']]
         self.assertGreater(len(rows), 10)
         right = [row for row in rows if float(row['t60_low_s']) <= 0.2 <= float(row['t60_high_s'])]
