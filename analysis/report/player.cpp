@@ -14,9 +14,8 @@ namespace {
 
 constexpr double kPeak = 0.89;  // -1 dB re full scale, of the loudest
 
-std::vector<float> excerpt(const std::vector<float>& x) {
-  const auto count = std::min(x.size(), static_cast<std::size_t>(kHeard_s * kAnalysisRate));
-  return {x.begin(), x.begin() + static_cast<long>(count)};
+std::vector<float> excerpt(const std::vector<float>& x, std::size_t most) {
+  return {x.begin(), x.begin() + static_cast<long>(std::min(x.size(), most))};
 }
 
 double rms(const std::vector<float>& x) {
@@ -48,8 +47,11 @@ std::string take(const char* name, const std::vector<float>& sound, double gain)
 }  // namespace
 
 std::string player(const HeardSounds& sounds) {
-  const std::vector<float> recorded = excerpt(sounds.recorded), drilling = excerpt(sounds.drilling),
-                           synthesised = excerpt(sounds.synthesised);
+  const std::size_t length =
+      std::min(sounds.recorded.size(), static_cast<std::size_t>(kHeard_s * kAnalysisRate));
+  const std::vector<float> recorded = excerpt(sounds.recorded, length),
+                           drilling = excerpt(sounds.drilling, length),
+                           synthesised = excerpt(sounds.synthesised, length);
   const double matched = rms(drilling) / std::max(1e-9, rms(synthesised)),
                gain = kPeak / std::max({1e-9, peak(recorded), peak(drilling), matched * peak(synthesised)});
   return fmt::format(

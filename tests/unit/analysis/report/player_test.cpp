@@ -64,3 +64,9 @@ TEST_CASE("recorded and drilling have one gain, synthesised the drilling's level
   CHECK(page.find("synthesised +20.9 dB") != std::string::npos);
   for (std::size_t n = 0; n < 1000; ++n) CHECK(std::fabs(heard[1][n] - heard[0][n] / 4) < 1.0f / 32768);
 }
+
+TEST_CASE("a short recording is heard as long as it is, and the synthesised no longer") {
+  const auto heard = sounds_in(player({tone(500, 0.4, 2.1), tone(500, 0.1, 2.1), tone(700, 0.02, 4), 0}));
+  REQUIRE(heard.size() == 3);
+  for (const auto& sound : heard) CHECK(sound.size() == static_cast<std::size_t>(2.1 * kAnalysisRate));
+}
