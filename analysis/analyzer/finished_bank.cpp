@@ -6,7 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "report/report_section.hpp"
+#include "report/bank_page.hpp"
 #include "rigsound/config/bank_files.hpp"
 #include "rigsound/file/atomic_file.hpp"
 #include "rigsound/machine/input_error.hpp"
@@ -79,10 +79,10 @@ std::string settings_of(const Part& part, const AnalyzerOptions& options) {
 std::optional<AnalysedPart> finished_part(const Part& part, const std::string& sha256,
                                           const AnalyzerOptions& options) {
   const fs::path folder = bank_folder(options.sound_set, part.bank);
-  const fs::path section = report_section_path(options.sound_set, part.bank);
+  const fs::path page = bank_page_path(options.sound_set, part.bank);
   std::error_code none;
   if (!fs::exists(figures_path(options.sound_set, part.bank), none)) return std::nullopt;
-  if (options.report == ReportSections::kWrite && !fs::exists(section, none)) return std::nullopt;
+  if (options.report == ReportSections::kWrite && section_in(page).empty()) return std::nullopt;
   try {
     const config::StoredBank stored = config::load_bank(folder);
     if (stored.provenance.source_sha256 != sha256 || stored.provenance.settings != settings_of(part, options))
@@ -99,14 +99,14 @@ std::optional<AnalysedPart> finished_part(const Part& part, const std::string& s
 }
 
 void save_part(const AnalysedPart& analysed, const ClickBank& bank, const std::string& sha256,
-               const std::string& report_section, const AnalyzerOptions& options) {
+               const std::string& page, const AnalyzerOptions& options) {
   config::Provenance provenance;
   provenance.source_file = analysed.part.recording.string();
   provenance.source_sha256 = sha256;
   provenance.settings = settings_of(analysed.part, options);
   provenance.tool_version = options.tool_version;
   config::save_bank(options.sound_set, bank, provenance);
-  if (!report_section.empty()) write_file(report_section_path(options.sound_set, bank.name), report_section);
+  if (!page.empty()) write_file(bank_page_path(options.sound_set, bank.name), page);
   write_file(figures_path(options.sound_set, bank.name), figures_text(analysed.figures));
 }
 

@@ -16,9 +16,9 @@ std::string settings_of(const Part& part, const AnalyzerOptions& options);
 std::optional<AnalysedPart> finished_part(const Part& part, const std::string& sha256,
                                           const AnalyzerOptions& options);
 
-/// Writes the bank, its figures and, unless empty, its section of the report; figures come last and mark it
+/// Writes the bank, its figures and, unless empty, its page; figures come last and mark it
 /// as finished. Errors: DeviceError. Thread: OFF.
 void save_part(const AnalysedPart& analysed, const ClickBank& bank, const std::string& sha256,
-               const std::string& report_section, const AnalyzerOptions& options);
+               const std::string& page, const AnalyzerOptions& options);
 
 }  // namespace rigsound::analysis

@@ -15,6 +15,7 @@
 #include "analyzer/set_laws.hpp"
 #include "analyzer/source_hash.hpp"
 #include "bank/lint.hpp"
+#include "report/bank_page.hpp"
 #include "report/report_section.hpp"
 #include "rigsound/analysis/analyzer.hpp"
 #include "rigsound/analysis/parallel.hpp"
@@ -58,11 +59,11 @@ AnalysedPart analyse(Task& task, const std::string& sha256, const AnalyzerOption
   AnalysedPart analysed{
       task.part, false, bank.mean_gap_samples, static_cast<int>(bank.clicks.size()), analysis.built.figures,
       {}};
-  const std::string section =
-      options.report == ReportSections::kWrite
-          ? report_section({analysis.recorded, analysis.start_s, analysis.chain.drilling, bank})
-          : std::string();
-  save_part(analysed, bank, sha256, section, options);
+  std::string page;
+  if (options.report == ReportSections::kWrite)
+    page = bank_page(analysed,
+                     report_section({analysis.recorded, analysis.start_s, analysis.chain.drilling, bank}));
+  save_part(analysed, bank, sha256, page, options);
   return analysed;
 }
 

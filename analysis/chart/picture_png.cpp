@@ -1,10 +1,10 @@
 #include "chart/picture_png.hpp"
 
-#include <openssl/evp.h>
 #include <png.h>
 
 #include <stdexcept>
 
+#include "chart/data_uri.hpp"
 #include "rigsound/device_error.hpp"
 
 namespace rigsound::chart {
@@ -21,7 +21,7 @@ png_image header(int width, std::size_t pixels, png_uint_32 format) {
   return image;
 }
 
-std::vector<unsigned char> png_bytes(const Picture& picture) {
+std::string png_bytes(const Picture& picture) {
   png_image image = header(picture.width, picture.pixels.size(), PNG_FORMAT_RGB_COLORMAP);
   image.colormap_entries = static_cast<png_uint_32>(picture.palette.size());
   const auto check = [&image](int written) {
@@ -30,25 +30,16 @@ std::vector<unsigned char> png_bytes(const Picture& picture) {
   png_alloc_size_t size = 0;
   check(
       png_image_write_to_memory(&image, nullptr, &size, 0, picture.pixels.data(), 0, picture.palette.data()));
-  std::vector<unsigned char> bytes(size);
+  std::string bytes(size, '\0');
   check(png_image_write_to_memory(&image, bytes.data(), &size, 0, picture.pixels.data(), 0,
                                   picture.palette.data()));
   bytes.resize(size);
   return bytes;
 }
 
-std::string base64(const std::vector<unsigned char>& bytes) {
-  std::string text((bytes.size() + 2) / 3 * 4 + 1, '\0');  // the encoder ends with a zero
-  text.resize(static_cast<std::size_t>(EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
-                                                       bytes.data(), static_cast<int>(bytes.size()))));
-  return text;
-}
-
 }  // namespace
 
-std::string png_data_uri(const Picture& picture) {
-  return "data:image/png;base64," + base64(png_bytes(picture));
-}
+std::string png_data_uri(const Picture& picture) { return data_uri("image/png", png_bytes(picture)); }
 
 void write_png(const std::filesystem::path& file, const std::vector<Colour>& pixels, int width) {
   png_image image = header(width, pixels.size(), PNG_FORMAT_RGB);

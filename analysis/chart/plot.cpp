@@ -131,6 +131,14 @@ void Plot::draw_y_axis() {
         {Role::kGrey, kTextSize, Anchor::kMiddle, Lettering::Weight::kRegular, Lettering::Turn::kUpward});
 }
 
+std::string Plot::description() const {
+  std::string text = title_;
+  if (!y_.label.empty()) text += ": " + y_.label;
+  if (!x_.label.empty()) text += (y_.label.empty() ? ": over " : " over ") + x_.label;
+  for (const Word& word : legend_) text += (&word == &legend_.front() ? "; " : ", ") + word.text;
+  return text;
+}
+
 void Plot::finish() {
   draw_y_axis();
   draw_x_axis();

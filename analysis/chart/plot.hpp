@@ -43,6 +43,9 @@ class Plot {
 
   void finish();
 
+  /// The chart in a sentence, for those who do not see it: title, axes, legend.
+  std::string description() const;
+
   const Box& plane() const { return plane_; }
   double px(double x) const { return plane_.left + plane_.width() * x_.place(x); }
   double py(double y) const { return plane_.bottom - plane_.height() * y_.place(y); }

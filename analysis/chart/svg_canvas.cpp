@@ -127,14 +127,13 @@ std::string SvgCanvas::element(const std::string& says) const {
       height_, markup_text(says), marks_);
 }
 
-std::string SvgCanvas::document() const {
+std::string SvgCanvas::document(const std::string& says) const {
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" font-size=\"11\" width=\"{0:g}\" height=\"{1:g}\" "
-      "viewBox=\"0 0 {0:g} "
-      "{1:g}\">\n"
+      "viewBox=\"0 0 {0:g} {1:g}\" role=\"img\" aria-label=\"{4}\">\n<title>{4}</title>\n"
       "<style>svg{{color-scheme:light dark}}{2}</style>\n<rect class=\"fpaper\" width=\"100%\" "
       "height=\"100%\"/>\n{3}</svg>\n",
-      width_, height_, chart_styles(), marks_);
+      width_, height_, chart_styles(), marks_, markup_text(says));
 }
 
 }  // namespace rigsound::chart

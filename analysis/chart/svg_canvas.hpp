@@ -20,10 +20,10 @@ class SvgCanvas final : public Canvas {
   /// An estimate: the reader's fonts are not known.
   double text_width(const std::string& text, const Lettering& lettering) const override;
 
-  /// An element for a page that holds chart_styles(). Thread: OFF.
+  /// An element for a page that holds chart_styles(). `says`: what it shows, in words. Thread: OFF.
   std::string element(const std::string& says) const;
   /// The whole of a file: light, dark and printed. Thread: OFF.
-  std::string document() const;
+  std::string document(const std::string& says) const;
 
  private:
   double width_, height_;

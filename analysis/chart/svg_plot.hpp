@@ -16,8 +16,7 @@ struct PlotSize {
 class SvgPlot {
  public:
   SvgPlot(const std::string& title, Axis x, Axis y, const PlotSize& size)
-      : title_(title),
-        canvas_(size.width, size.height),
+      : canvas_(size.width, size.height),
         plot_(canvas_, {0, 0, size.width, size.height}, title, std::move(x), std::move(y),
               {Margins().left, Margins().top, size.right}) {}
   SvgPlot(const SvgPlot&) = delete;  // plot_ draws on canvas_
@@ -28,11 +27,10 @@ class SvgPlot {
   /// Once, when every mark is drawn.
   std::string svg() {
     plot_.finish();
-    return canvas_.element(title_);
+    return canvas_.element(plot_.description());
   }
 
  private:
-  std::string title_;
   SvgCanvas canvas_;
   Plot plot_;
 };

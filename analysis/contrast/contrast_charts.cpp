@@ -55,7 +55,6 @@ class FeedChart {
  public:
   FeedChart(const Contrast& c, const std::string& title, const Axis& y, const chart::PlotSize& size)
       : contrast_(c),
-        title_(title),
         canvas_(size.width, size.height),
         plot_(canvas_, {0, 0, size.width, size.height}, title, feed_axis(c), y) {
     draw_situations(plot_, canvas_, c, y.low, y.high);
@@ -76,12 +75,11 @@ class FeedChart {
 
   std::string svg() {
     plot_.finish();
-    return canvas_.element(title_);
+    return canvas_.element(plot_.description());
   }
 
  private:
   const Contrast& contrast_;
-  std::string title_;
   chart::SvgCanvas canvas_;
   Plot plot_;
 };

@@ -5,20 +5,16 @@
 #include <regex>
 
 #include "chart/markup_text.hpp"
-#include "chart/style_sheet.hpp"
+#include "chart/number_word.hpp"
 #include "contrast/contrast_charts.hpp"
 #include "contrast/listening.hpp"
-#include "report/page_style.hpp"
+#include "report/page_frame.hpp"
 #include "rigsound/file/atomic_file.hpp"
 
 namespace rigsound::analysis {
-namespace {
+using chart::number_word;
 
-constexpr const char* kHead = R"(<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">
-<title>rigsound contrast</title>
-<style>
-)";
+namespace {
 
 // On top of the report's style.
 constexpr const char* kContrastStyle = R"(
@@ -35,16 +31,11 @@ section { content-visibility: visible; margin-bottom: 1.8em } h2 { margin-bottom
 .matrix b { display: block; font-size: 1.15em } .matrix small { display: block; white-space: nowrap; opacity: .8 }
 .sounds { display: flex; flex-wrap: wrap; gap: 1em 2.5em; align-items: flex-start }
 .sounds > div { flex: 1 1 auto; min-width: 0; max-width: 100% }
-@media (max-width: 640px) { body { padding: 0 .8em } .matrix { border-spacing: 2px; font-size: .82em }
+@media (max-width: 640px) { body { padding: 0 .8em } .matrix { border-spacing: 2px; font-size: .74em }
   .matrix td { min-width: 0; padding: .35em .3em } .matrix small { white-space: normal } h1 { font-size: 1.35em }
   .verdicts { font-size: 1.08em } }
 @media print { .charts { grid-template-columns: 1fr 1fr } .matrix td { print-color-adjust: exact; -webkit-print-color-adjust: exact } }
 )";
-
-std::string number(double value, int digits) {
-  const std::string text = fmt::format("{:.{}f}", value, digits);
-  return text[0] == '-' ? "−" + text.substr(1) : text;
-}
 
 bool is_bad(const std::string& verdict) {
   return verdict.find("cannot") != std::string::npos || verdict.find("Not told") != std::string::npos;
@@ -80,7 +71,7 @@ std::string cell(const PairFigures& pair, double farthest_db) {
       "phon\"><b>{:.1f} "
       "dB</b><small>{:.0f} % right</small></td>",
       pair.told_apart() ? "" : " class=\"same\"", depth, 100 * pair.right, pair.third_octave_floor_db,
-      pair.modulation_db, pair.modulation_floor_db, 100 * pair.rate, number(pair.phon, 1),
+      pair.modulation_db, pair.modulation_floor_db, 100 * pair.rate, number_word(pair.phon, 1),
       pair.third_octave_db, 100 * pair.right);
 }
 
@@ -103,18 +94,19 @@ std::string matrix(const SubjectGroup& group) {
 
 std::string sound_table(const SubjectGroup& group) {
   std::string html =
-      "<div class=\"wide\"><table>\n<tr><th></th><th class=\"n\">Feed<small>bar</small></th><th "
+      "<table class=\"cards\">\n<thead><tr><th></th><th class=\"n\">Feed<small>bar</small></th><th "
       "class=\"n\">Rate<small>impacts a second</small></th><th "
       "class=\"n\">Loudness<small>sone</small></th><th "
-      "class=\"n\">Loudness level<small>phon</small></th><th>Bank</th></tr>\n";
+      "class=\"n\">Loudness level<small>phon</small></th><th>Bank</th></tr></thead><tbody>\n";
   for (const SubjectFigures& s : group.subjects)
     html += fmt::format(
-        "<tr><td>{}</td><td class=\"n\">{:g}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td "
-        "class=\"n\">{}</td><td>{}</td></tr>\n",
-        chart::markup_text(s.subject.name), s.subject.setting.feed_bar, number(s.rate_hz, 1),
-        number(s.loudness_sone, 1), number(s.loudness_phon, 1),
+        "<tr><th scope=\"row\">{}</th><td class=\"n\" data-name=\"Feed, bar\">{:g}</td><td class=\"n\" "
+        "data-name=\"Rate, impacts a second\">{}</td><td class=\"n\" data-name=\"Loudness, sone\">{}</td><td "
+        "class=\"n\" data-name=\"Loudness level, phon\">{}</td><td data-name=\"Bank\">{}</td></tr>\n",
+        chart::markup_text(s.subject.name), s.subject.setting.feed_bar, number_word(s.rate_hz, 1),
+        number_word(s.loudness_sone, 1), number_word(s.loudness_phon, 1),
         s.subject.banks.empty() ? "–" : chart::markup_text(bank_list(s.subject)));
-  return html + "</table></div>\n";
+  return html + "</tbody></table>\n";
 }
 
 std::string group_section(const char* title, const SubjectGroup& group) {
@@ -125,6 +117,17 @@ std::string group_section(const char* title, const SubjectGroup& group) {
              "one-second excerpts are told right; outlined: not told apart.</p>\n<div class=\"sounds\">",
              title) +
          matrix(group) + sound_table(group) + "</div></section>\n";
+}
+
+std::string chart_legend() {
+  return fmt::format(
+      "<p class=\"quiet\">Dots: measured at one feed. Curve without dots: Weibull function through them; "
+      "orange: "
+      "where "
+      "{0:.0f} % are told right, with its 95 % interval; dashed and grey: {0:.0f} %. Ground: the situation "
+      "at that "
+      "feed.</p>\n",
+      100 * kToldRight);
 }
 
 std::string method(const Contrast& c) {
@@ -153,14 +156,14 @@ std::string method(const Contrast& c) {
 }  // namespace
 
 void write_contrast_page(const std::filesystem::path& path, const Contrast& c) {
-  std::string html = kHead + chart::page_colours() + kPageStyle + chart::chart_styles() + kContrastStyle;
-  html += "</style></head><body>\n<h1 id=\"top\">Can it be heard?</h1>\n<p class=\"quiet\">Sound set " +
-          chart::markup_text(c.plan.sound_set.string()) + "</p>\n" + verdict_list(c);
+  std::string html = page_start("Can it be heard?", kContrastStyle) + "<p class=\"quiet\">Sound set " +
+                     chart::markup_text(c.plan.sound_set.string()) + "</p>\n" + verdict_list(c);
   html += "<section><h2>From which feed on</h2>\n<div class=\"charts\">" + heard_chart(c) +
-          distance_chart(c) + loudness_chart(c) + rate_chart(c) + "</div></section>\n";
+          distance_chart(c) + loudness_chart(c) + rate_chart(c) + "</div>\n" + chart_legend() +
+          "</section>\n";
   html += group_section("The situations", c.situations) + group_section("Rods", c.rods) +
           group_section("Rocks", c.rocks) + method(c);
-  write_file(path, html + "</body></html>\n");
+  write_file(path, html + kPageEnd);
 }
 
 }  // namespace rigsound::analysis

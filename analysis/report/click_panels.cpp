@@ -94,7 +94,7 @@ std::string click_panels(const ClickBank& bank) {
   std::string html;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     SvgPlot plot(fmt::format("Click {}", i + 1), linear_axis("ms", 0, longest, 3),
-                 linear_axis("", -peak, peak, 2), kFifth);
+                 linear_axis("amplitude", -peak, peak, 2), kFifth);
     plot->band(shapes[i].x, shapes[i].low, shapes[i].high, Role::kFirst);
     html += plot.svg();
   }

@@ -9,8 +9,18 @@
 
 namespace rigsound::analysis {
 
-// Sizes of the charts side by side on a page of 1200 pixels.
-constexpr chart::PlotSize kThird{392, 210}, kHalf{594, 230}, kFifth{233, 120};
+// Sizes of charts that fit every page.
+constexpr chart::PlotSize kThird{392, 210}, kFifth{233, 120};
+
+/// Of wide charts, which are drawn twice: a page of 1200 pixels and one of 420 both show text in its size.
+struct Sheet {
+  const char* css_class;
+  double full, half;    ///< pixels, of a chart over the whole width and one beside another
+  std::size_t columns;  ///< of a waveform
+  int ticks;            ///< of an axis of time
+  double longest_s;     ///< of an axis of time
+};
+constexpr Sheet kWideSheet{"broad", 1200, 594, 720, 10, 2}, kNarrowSheet{"narrow", 392, 392, 240, 4, 0.7};
 
 /// One segment of a part, as far as it is shown.
 struct ShownSegment {
@@ -19,9 +29,9 @@ struct ShownSegment {
   double start_s;  ///< in the recording
 };
 
-/// On one axis of time, at most two seconds: spectrograms of the recording, of what was taken away and of
-/// what is left; below them the waveform before and after with a line at every detected click.
-std::string time_panels(const ShownSegment& segment);
+/// On one axis of time, as long as the sheet allows: spectrograms of the recording, of what was taken away
+/// and of what is left; below them the waveform before and after with a line at every detected click.
+std::string time_panels(const ShownSegment& segment, const Sheet& sheet);
 /// Mean level after a click, as recorded and as whitened for the fit, against the fitted envelope.
 std::string envelope_panel(const ChainResult& segment);
 /// Every click of the bank.
@@ -30,7 +40,9 @@ std::string click_panels(const ClickBank& bank);
 std::string gap_panel(const Segments& segments, const ClickBank& bank);
 std::string amplitude_panel(const Segments& segments, const ClickBank& bank);
 /// Recorded against resynthesised.
-std::string third_octave_panel(const Segments& segments, const std::vector<float>& synthesis);
-std::string modulation_panel(const Segments& segments, const std::vector<float>& synthesis);
+std::string third_octave_panel(const Segments& segments, const std::vector<float>& synthesis,
+                               const Sheet& sheet);
+std::string modulation_panel(const Segments& segments, const std::vector<float>& synthesis,
+                             const Sheet& sheet);
 
 }  // namespace rigsound::analysis

@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 
-#include <cmath>
+#include <cctype>
+#include <cstring>
 #include <fstream>
 
 #include "chart/markup_text.hpp"
-#include "chart/style_sheet.hpp"
-#include "report/page_style.hpp"
+#include "chart/number_word.hpp"
+#include "report/bank_page.hpp"
+#include "report/page_frame.hpp"
+#include "report/player.hpp"
 #include "report/report_section.hpp"
 #include "rigsound/analysis/report.hpp"
 #include "rigsound/device_error.hpp"
@@ -13,45 +16,56 @@
 
 namespace rigsound::analysis {
 namespace fs = std::filesystem;
+using chart::number_word;
 
 namespace {
 
-std::string number(double value, int digits) {
-  if (!std::isfinite(value)) return "–";
-  const std::string text = fmt::format("{:.{}f}", value, digits);
-  return text[0] == '-' ? "−" + text.substr(1) : text;
-}
+/// A column of the table; a page too narrow for it shows each cell with its name.
+struct Column {
+  const char *name, *unit;
+  bool is_number;
+  std::string (*text)(const AnalysedPart& part);
+};
 
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
+std::string unless_zero(double value, int digits) { return value > 0 ? number_word(value, digits) : "–"; }
 
-std::string number_cell(const std::string& text) { return "<td class=\"n\">" + text + "</td>"; }
+const Column kColumns[] = {
+    {"Situation", "", false, [](const AnalysedPart& p) { return std::string(name(p.part.label.situation)); }},
+    {"Rods", "", true, [](const AnalysedPart& p) { return unless_zero(p.part.label.rods, 0); }},
+    {"Feed", "bar", true, [](const AnalysedPart& p) { return unless_zero(p.part.label.feed_bar, 0); }},
+    {"Rock", "", false,
+     [](const AnalysedPart& p) {
+       return p.part.label.rock.empty() ? "–" : chart::markup_text(p.part.label.rock);
+     }},
+    {"Rate", "Hz", true, [](const AnalysedPart& p) { return number_word(p.figures.rate_hz, 2); }},
+    {"Clicks", "found", true, [](const AnalysedPart& p) { return std::to_string(p.figures.clicks_found); }},
+    {"Level", "dB re full scale", true,
+     [](const AnalysedPart& p) { return number_word(p.figures.level_db, 1); }},
+    {"SNR", "dB", true, [](const AnalysedPart& p) { return number_word(p.figures.snr_db, 1); }},
+    {"Spectrum", "off by dB", true,
+     [](const AnalysedPart& p) { return number_word(p.figures.ltas_error_db, 2); }},
+    {"Modulation", "off by dB", true,
+     [](const AnalysedPart& p) { return number_word(p.figures.modulation_error_db, 2); }},
+};
+
+std::string summary_head() {
+  std::string html = "<table class=\"cards\">\n<thead><tr><th>Bank</th>";
+  for (const Column& c : kColumns)
+    html += fmt::format("<th{}>{}{}</th>", c.is_number ? " class=\"n\"" : "", c.name,
+                        *c.unit == 0 ? "" : fmt::format("<small>{}</small>", c.unit));
+  return html + "<th></th></tr></thead><tbody>\n";
+}
 
 std::string summary_row(const AnalysedPart& p) {
-  const BankFigures& f = p.figures;
-  const Label& label = p.part.label;
-  std::string html = fmt::format("<tr><td><a href=\"#{0}\">{0}</a></td><td>{1}</td>",
-                                 chart::markup_text(p.part.bank), name(label.situation));
-  html += number_cell(label.rods > 0 ? std::to_string(label.rods) : "–");
-  html += number_cell(label.feed_bar > 0 ? number(label.feed_bar, 0) : "–");
-  html += fmt::format("<td>{}</td>", label.rock.empty() ? "–" : chart::markup_text(label.rock));
-  html += number_cell(number(f.rate_hz, 2)) + number_cell(std::to_string(f.clicks_found)) +
-          number_cell(number(f.level_db, 1)) + number_cell(number(f.snr_db, 1)) +
-          number_cell(number(f.ltas_error_db, 2)) + number_cell(number(f.modulation_error_db, 2));
+  std::string html =
+      fmt::format("<tr><th scope=\"row\"><a href=\"#{0}\">{0}</a></th>", chart::markup_text(p.part.bank));
+  for (const Column& c : kColumns)
+    html += fmt::format("<td{} data-name=\"{}{}{}\">{}</td>", c.is_number ? " class=\"n\"" : "", c.name,
+                        *c.unit == 0 ? "" : ", ", c.unit, c.text(p));
   html += "<td class=\"warn\">";
   if (!p.warnings.empty()) html += counted(p.warnings.size(), "warning", "warnings");
   return html + "</td></tr>\n";
 }
-
-constexpr const char* kSummaryHead =
-    "<div class=\"wide\"><table>\n<tr><th>Bank</th><th>Situation</th><th class=\"n\">Rods</th><th "
-    "class=\"n\">Feed<small>bar</small></th><th>Rock</th>"
-    "<th class=\"n\">Rate<small>Hz</small></th><th class=\"n\">Clicks<small>found</small></th>"
-    "<th class=\"n\">Level<small>dB re full scale</small></th><th class=\"n\">SNR<small>dB</small></th>"
-    "<th class=\"n\">Spectrum<small>off by dB</small></th><th class=\"n\">Modulation<small>off by "
-    "dB</small></th>"
-    "<th></th></tr>\n";
 
 std::string summary(const AnalyzerResult& result) {
   std::size_t warned = 0;
@@ -63,9 +77,9 @@ std::string summary(const AnalyzerResult& result) {
             " without a bank";
   html += ". Spectrum and modulation compare what the bank plays with what was recorded.</p>\n";
   if (!result.banks.empty()) {
-    html += kSummaryHead;
+    html += summary_head();
     for (const AnalysedPart& p : result.banks) html += summary_row(p);
-    html += "</table></div>\n";
+    html += "</tbody></table>\n";
   }
   if (result.failures.empty()) return html;
   html += "<h2>Without a bank</h2>\n<ul>\n";
@@ -73,44 +87,45 @@ std::string summary(const AnalyzerResult& result) {
   return html + "</ul>\n";
 }
 
-std::string section_head(const AnalysedPart& p) {
-  const Label& l = p.part.label;
-  std::string html = fmt::format("<section id=\"{0}\"><h2><a href=\"#top\">↑ index</a>{0}</h2>\n<p>{1}",
-                                 chart::markup_text(p.part.bank), name(l.situation));
-  if (l.rods > 0) html += ", " + counted(static_cast<std::size_t>(l.rods), "rod", "rods");
-  if (!l.rock.empty()) html += ", " + chart::markup_text(l.rock);
-  if (l.feed_bar > 0) html += fmt::format(", feed {} bar", number(l.feed_bar, 1));
-  if (l.percussion_bar > 0) html += fmt::format(", percussion {} bar", number(l.percussion_bar, 1));
-  if (l.rpm > 0) html += fmt::format(", {:.0f} r/min", l.rpm);
-  html += fmt::format(
-      " · {} Hz · {} clicks found, {} in the bank · decay to −60 dB {:.0f} ms · level {} dB · SNR {} dB · "
-      "spectrum off by {} dB, modulation by {} dB</p>\n",
-      number(p.figures.rate_hz, 2), p.figures.clicks_found, p.clicks, 1e3 * p.figures.decay_s,
-      number(p.figures.level_db, 1), number(p.figures.snr_db, 1), number(p.figures.ltas_error_db, 2),
-      number(p.figures.modulation_error_db, 2));
-  html += fmt::format("<p class=\"quiet\">{}", chart::markup_text(p.part.recording.string()));
-  if (!p.part.whole()) html += fmt::format(", {:.3f} to {:.3f} s", l.start_s, l.end_s);
-  html += fmt::format(", drilling in {} of {}</p>\n", p.figures.segments_drilling,
-                      counted(static_cast<std::size_t>(p.figures.segments), "segment", "segments"));
-  for (const std::string& warning : p.warnings)
-    html += "<p class=\"warn\">" + chart::markup_text(warning) + "</p>\n";
-  return html;
+/// From the page at `from` to the file `to`, as a link.
+std::string link(const fs::path& from, const fs::path& to) {
+  std::string text;
+  for (const char c : fs::absolute(to).lexically_proximate(fs::absolute(from).parent_path()).generic_string())
+    text += std::isalnum(static_cast<unsigned char>(c)) || std::strchr("/._-", c) != nullptr
+                ? std::string(1, c)
+                : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  return text;
+}
+
+/// Without its sound where a page of many banks would grow too large.
+std::string without_player(std::string section) {
+  constexpr const char* kEnd = "</figure>\n";
+  const std::size_t from = section.find("<figure class=\"player\""), to = section.find(kEnd);
+  if (from == std::string::npos || to == std::string::npos) return section;
+  return section.replace(from, to + std::strlen(kEnd) - from,
+                         "<p class=\"quiet\">Its sound is on its own page.</p>\n");
 }
 
 }  // namespace
 
 void write_report(const fs::path& path, const fs::path& sound_set, const AnalyzerResult& result) {
+  constexpr std::size_t kMostHeard = 24;  // banks, about a megabyte each
   AtomicFile file(path);
   std::ofstream out(file.temporary(), std::ios::binary | std::ios::trunc);
-  out << kPageStart << chart::page_colours() << kPageStyle << chart::chart_styles() << kPageTop
-      << summary(result);
+  out << page_start("Analysis report", "") << summary(result);
+  std::size_t heard = 0;
   for (const AnalysedPart& p : result.banks) {
-    out << section_head(p);
-    std::ifstream section(report_section_path(sound_set, p.part.bank), std::ios::binary);
-    if (section) out << section.rdbuf();
-    out << "</section>\n";
+    const fs::path page = bank_page_path(sound_set, p.part.bank);
+    const std::string section = section_in(page);
+    out << fmt::format(
+               "<section id=\"{0}\"><h2><span><a href=\"{1}\">own page</a> <a href=\"#symbols\">symbols</a> "
+               "<a "
+               "href=\"#top\">↑ index</a></span>{0}</h2>\n",
+               chart::markup_text(p.part.bank), link(path, page))
+        << bank_words(p) << (++heard <= kMostHeard ? section : without_player(section)) << "</section>\n";
   }
-  out << "</body></html>\n";
+  if (!result.banks.empty()) out << symbol_legend() << kPlayerScript;
+  out << kPageEnd;
   out.close();
   if (!out) throw DeviceError(path.string() + ": cannot be written");
   file.commit();

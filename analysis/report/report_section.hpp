@@ -1,7 +1,6 @@
 // The part of the report that shows one bank.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -18,11 +17,11 @@ struct ReportedPart {
   const ClickBank& bank;
 };
 
-/// The charts of one bank as HTML, for write_report(). Shows the first segment in which drilling was found.
+/// Sound, figures and charts of one bank as HTML. Shows the first segment in which drilling was found.
 /// Thread: OFF.
 std::string report_section(const ReportedPart& part);
 
-/// Where the section lies beside its bank: banks/NAME/report.html
-std::filesystem::path report_section_path(const std::filesystem::path& sound_set, const std::string& bank);
+/// The symbols of its figures in words; once a page. Thread: OFF.
+std::string symbol_legend();
 
 }  // namespace rigsound::analysis

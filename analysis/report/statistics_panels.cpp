@@ -54,12 +54,13 @@ Axis level_axis(std::string label, const BandLevels& a, const BandLevels& b, dou
 }
 
 std::string spectrum(const char* title, Axis x, Axis y, const BandLevels& recorded,
-                     const BandLevels& synthesised) {
-  SvgPlot plot(title, std::move(x), std::move(y), kHalf);
+                     const BandLevels& synthesised, const Sheet& sheet) {
+  constexpr double kHeight = 230;
+  SvgPlot plot(title, std::move(x), std::move(y), {sheet.half, kHeight});
   plot->line(recorded.centre_hz, recorded.level_db, {Role::kFirst, 1.6});
   plot->line(synthesised.centre_hz, synthesised.level_db, {Role::kThird, 1.6});
   plot->legend("recorded", Role::kFirst);
-  plot->legend("resynthesised", Role::kThird);
+  plot->legend("synthesised", Role::kThird);
   return plot.svg();
 }
 
@@ -85,19 +86,21 @@ std::string amplitude_panel(const Segments& segments, const ClickBank& bank) {
                    bank.amplitude_deviation / bank.mean_amplitude);
 }
 
-std::string third_octave_panel(const Segments& segments, const std::vector<float>& synthesis) {
+std::string third_octave_panel(const Segments& segments, const std::vector<float>& synthesis,
+                               const Sheet& sheet) {
   const BandLevels recorded = recorded_levels(segments, Levels::kGivenBack),
                    synthesised = third_octave_levels(synthesis);
   return spectrum("Third-octave levels",
                   frequency_axis("Hz", 60, 16500, {63, 125, 250, 500, 1000, 2000, 4000, 8000, 16000}),
-                  level_axis("dB re full scale", recorded, synthesised, 50), recorded, synthesised);
+                  level_axis("dB re full scale", recorded, synthesised, 50), recorded, synthesised, sheet);
 }
 
-std::string modulation_panel(const Segments& segments, const std::vector<float>& synthesis) {
+std::string modulation_panel(const Segments& segments, const std::vector<float>& synthesis,
+                             const Sheet& sheet) {
   const BandLevels recorded = recorded_modulation(segments), synthesised = modulation_levels(synthesis);
-  return spectrum("Modulation spectrum of the envelope",
+  return spectrum("Envelope modulation",
                   frequency_axis("modulation frequency, Hz", 1, 260, {1, 2, 4, 8, 16, 32, 64, 128, 256}),
-                  level_axis("dB re the mean", recorded, synthesised, 45), recorded, synthesised);
+                  level_axis("dB re the mean", recorded, synthesised, 45), recorded, synthesised, sheet);
 }
 
 }  // namespace rigsound::analysis

@@ -77,7 +77,8 @@ class Drawing {
       : sound_(sound),
         states_(states),
         options_(options),
-        canvas_(options.width, options.height, options.width / kWide, chart::Theme::kLight),
+        canvas_(options.width, options.height, options.width / kWide,
+                options.theme == TimelineTheme::kDark ? chart::Theme::kDark : chart::Theme::kLight),
         tall_(kWide * options.height / options.width),
         end_s_(sound.seconds()),
         time_(chart::time_axis("", 0, end_s_, 18)) {
@@ -133,8 +134,8 @@ const ActivityLook& look(Activity activity) { return kLooks[static_cast<std::siz
 
 /// Dark letters on a light colour, light ones on a dark one.
 chart::Paint letters_on(Colour c) {
-  return 0.299 * c.red + 0.587 * c.green + 0.114 * c.blue > 135 ? chart::Paint(Role::kInk)
-                                                                : chart::Paint(Role::kPaper);
+  constexpr Colour kDarkLetters{27, 27, 31}, kLightLetters{255, 255, 255};
+  return 0.299 * c.red + 0.587 * c.green + 0.114 * c.blue > 135 ? kDarkLetters : kLightLetters;
 }
 
 double decibels(double amplitude) { return 20 * std::log10(std::max(amplitude, 1e-10)); }
@@ -256,10 +257,12 @@ void Drawing::draw_threshold(Plot& plot, double bar, const char* name, Activity 
 void Drawing::draw_curve(const Lane& lane) {
   const SignalInfo& signal = info(lane.signal);
   std::vector<Series> curves;
+  std::vector<std::string> names;
   double highest = lane.kind == LaneKind::kFeed ? options_.scene.overfeed_bar : 0;
   for (std::size_t boom = 0; boom < states_.booms.size(); ++boom) {
     if (!states_.holds({lane.signal, static_cast<std::uint8_t>(boom)})) continue;
     curves.push_back(series(lane.signal, static_cast<int>(boom)));
+    names.push_back(states_.booms[boom].empty() ? "first boom" : states_.booms[boom]);
     highest = std::max(highest, *std::max_element(curves.back().value.begin(), curves.back().value.end()));
   }
   if (curves.empty()) return;
@@ -271,8 +274,11 @@ void Drawing::draw_curve(const Lane& lane) {
     draw_threshold(plot, options_.scene.overfeed_bar, "overfeed", Activity::kOverfeed);
     draw_threshold(plot, options_.scene.underfeed_bar, "underfeed", Activity::kUnderfeed);
   }
-  for (const Series& curve : curves)
-    plot.steps(curve.time_s, curve.value, {{Role::kInk, &curve == &curves.front() ? 0.9 : 0.45}, 1.3});
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const chart::Paint ink{Role::kInk, i == 0 ? 0.9 : 0.45};
+    plot.steps(curves[i].time_s, curves[i].value, {ink, 1.3});
+    if (curves.size() > 1) plot.legend(names[i], ink);
+  }
   plot.finish();
 }
 

@@ -11,10 +11,11 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr std::size_t kStep = 24;       // samples, 0.5 ms
-constexpr std::size_t kLongest = 2000;  // steps, 1 s
-constexpr double kRise = 8;             // the next impact is this much louder than the quiet before it
-constexpr double kStandsOut = 4;        // and the strongest this much louder than the middle of it all
+constexpr std::size_t kStep = 24;           // samples, 0.5 ms
+constexpr std::size_t kLongest = 2000;      // steps, 1 s
+constexpr std::size_t kMostBefore = 24000;  // samples
+constexpr double kRise = 8;                 // the next impact is this much louder than the quiet before it
+constexpr double kStandsOut = 4;            // and the strongest this much louder than the middle of it all
 
 std::vector<double> envelope(const std::vector<float>& x) {
   std::vector<double> rms;
@@ -53,6 +54,9 @@ std::optional<RecordedImpact> strongest_impact(const std::vector<float>& x) {
   if (!(rms[peak] > kStandsOut * upper_median(rms))) return std::nullopt;
   RecordedImpact impact;
   impact.onset = foot(rms, peak) * kStep;
+  const std::size_t from = impact.onset - std::min(impact.onset, kMostBefore);
+  impact.before.assign(x.begin() + static_cast<std::ptrdiff_t>(from),
+                       x.begin() + static_cast<std::ptrdiff_t>(impact.onset));
   const std::size_t end = next_rise(rms, peak) * kStep;
   for (std::size_t i = 0; i < kBeforeImpact; ++i)
     impact.sound.push_back(

@@ -12,8 +12,9 @@ namespace rigsound::analysis {
 constexpr std::size_t kBeforeImpact = 48;  ///< samples at kAnalysisRate kept before the onset
 
 struct RecordedImpact {
-  std::size_t onset = 0;      ///< sample of the recording
-  std::vector<double> sound;  ///< from kBeforeImpact before the onset to the next impact, at most one second
+  std::size_t onset = 0;       ///< sample of the recording
+  std::vector<double> before;  ///< what the recording has before the onset, at most half a second
+  std::vector<double> sound;   ///< from kBeforeImpact before the onset to the next impact, at most one second
 };
 
 /// The strongest impact of `x` (at kAnalysisRate), or none when nothing stands out. Thread: OFF.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "numeric/nelder_mead.hpp"
 #include "rigsound/tool_design.hpp"
@@ -10,6 +11,7 @@ namespace rigsound::analysis {
 namespace {
 
 constexpr double kNear_cents = 20, kMatch_cents = 12;
+constexpr double kMostChance = 0.01;  // that some size would match partials of anything as well
 constexpr double kShortest_m = 0.25, kLongest_m = 1.1, kThinnest_m = 0.012, kThickest_m = 0.06;
 
 double cents_to_nearest(const std::vector<double>& modes, double hz) {
@@ -45,12 +47,30 @@ class Search {
     return count;
   }
 
+  /// Probability that `matched` or more partials that lie anywhere match modes as dense as those of the bar.
+  double by_chance(const Bar& bar, int matched) const {
+    const std::vector<double> modes = modes_below(bar, highest_hz_);
+    std::vector<double> of_count(partials_.size() + 1, 0.0);
+    of_count[0] = 1;
+    for (const Partial& p : partials_) {
+      const double one = std::min(1.0, modes_around(modes, p.hz) * 2 * kMatch_cents / 1200);
+      for (std::size_t k = partials_.size(); k > 0; --k)
+        of_count[k] = (1 - one) * of_count[k] + one * of_count[k - 1];
+      of_count[0] *= 1 - one;
+    }
+    return std::accumulate(of_count.begin() + matched, of_count.end(), 0.0);
+  }
+
  private:
+  /// Within the octave around hz.
+  static double modes_around(const std::vector<double>& modes, double hz) {
+    return static_cast<double>(std::upper_bound(modes.begin(), modes.end(), hz * 1.414) -
+                               std::lower_bound(modes.begin(), modes.end(), hz / 1.414));
+  }
+
   /// Expected value of the Gaussian above if the partial lay anywhere within an octave.
   static double chance(const std::vector<double>& modes, double hz) {
-    const auto near = std::upper_bound(modes.begin(), modes.end(), hz * 1.414) -
-                      std::lower_bound(modes.begin(), modes.end(), hz / 1.414);
-    return std::min(1.0, static_cast<double>(near) * 2.5 * kNear_cents / 1200);
+    return std::min(1.0, modes_around(modes, hz) * 2.5 * kNear_cents / 1200);
   }
 
   const std::vector<Partial>& partials_;
@@ -62,6 +82,14 @@ std::vector<double> geometric(double given, double low, double high, double rati
   std::vector<double> values;
   for (double v = low; v <= high; v *= ratio) values.push_back(v);
   return values;
+}
+
+/// Sizes so far apart that the modes of one match none of another.
+double sizes_tried(const Bar& given) {
+  const auto count = [](double known, double low, double high) {
+    return known > 0 ? 1 : std::log2(high / low) * 1200 / (2 * kMatch_cents);
+  };
+  return count(given.length_m, kShortest_m, kLongest_m) * count(given.diameter_m, kThinnest_m, kThickest_m);
 }
 
 Bar refined(const Search& search, const Bar& start, const Bar& given) {
@@ -92,7 +120,9 @@ std::optional<FoundSteel> find_steel(const std::vector<Partial>& partials, const
     }
   best = refined(search, best, given);
   const int matched = search.matched(best);
-  if (matched < 4 || matched < static_cast<int>(partials.size()) / 2) return std::nullopt;
+  const double by_chance = search.by_chance(best, matched) * sizes_tried(given);
+  if (matched < 4 || matched < static_cast<int>(partials.size()) / 2 || by_chance > kMostChance)
+    return std::nullopt;
   return FoundSteel{best, matched};
 }
 

@@ -15,7 +15,8 @@ struct FoundSteel {
 };
 
 /// Length and diameter (whichever of `given` is 0) under which most partials are modes of a free bar; none
-/// when fewer than four are, or hardly more than chance would give. Thread: OFF.
+/// when fewer than four are, or when partials of anything would match some size as well once in a hundred
+/// times. Thread: OFF.
 std::optional<FoundSteel> find_steel(const std::vector<Partial>& partials, const Bar& given,
                                      double highest_hz);
 

@@ -139,7 +139,7 @@ std::string string_plot_svg(std::string_view title, std::string_view rock, const
   draw_decays(canvas, figures);
   draw_reflection(canvas, rock, figures);
   draw_reading(canvas);
-  return canvas.document();
+  return canvas.document(std::string(title));
 }
 
 }  // namespace rigsound::analysis

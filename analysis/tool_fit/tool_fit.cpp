@@ -1,5 +1,7 @@
 #include "rigsound/analysis/tool_fit.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -9,6 +11,7 @@
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "tool_fit/band_analyser.hpp"
+#include "tool_fit/decay_evidence.hpp"
 #include "tool_fit/equaliser_fit.hpp"
 #include "tool_fit/impact_sound.hpp"
 #include "tool_fit/partials.hpp"
@@ -21,6 +24,7 @@ constexpr double kAudible_db = 40;  // bands this far below the loudest do not c
 constexpr double kLevelWeight =
     0.6;  // of the spectrum against the decays; the equaliser corrects the spectrum later
 constexpr double kMostDifference_db = 20;
+constexpr double kOverlongWeight_db = 100;  // of modes that ring e times longer than was heard
 
 /// What the search moves, and between which bounds.
 enum Parameter : std::size_t {
@@ -85,9 +89,27 @@ class Comparison {
  public:
   Comparison(const RecordedImpact& impact, double highest_hz)
       : samples_(impact.sound.size()), analyser_(highest_hz), recorded_(analyser_.analyse(impact.sound)) {
+    DecayEvidence evidence(impact);
     const double loudest = *std::max_element(recorded_.level_db.begin(), recorded_.level_db.end());
-    for (std::size_t b = 0; b < recorded_.level_db.size(); ++b)
-      if (recorded_.level_db[b] > loudest - kAudible_db) used_.push_back(b);
+    for (std::size_t b = 0; b < recorded_.level_db.size(); ++b) {
+      if (!(recorded_.level_db[b] > loudest - kAudible_db)) continue;
+      const BandEvidence band = evidence.band(centre_hz(b));
+      if (!band.share.told()) continue;
+      const double level = recorded_.level_db[b] - loudest;
+      used_.push_back(b);
+      bands_.push_back({centre_hz(b), level, level, level + 10 * std::log10(band.share.low),
+                        level + 10 * std::log10(band.share.high), band.decay});
+    }
+  }
+
+  /// What the recording tells of each used band; the model's levels are not in it yet.
+  const std::vector<FittedBand>& bands() const { return bands_; }
+
+  /// How much longer than the recording bears out the modes ring, mean of ln.
+  double overlong(const std::vector<TunedMode>& modes) const {
+    double sum = 0;
+    for (const TunedMode& mode : modes) sum += std::max(0.0, std::log(mode.t60_s / longest_s(mode.model_hz)));
+    return modes.empty() ? 0 : sum / static_cast<double>(modes.size());
   }
 
   BandProfile profile(const ToolModel& model) { return analyser_.analyse(one_impact(model, samples_)); }
@@ -109,11 +131,21 @@ class Comparison {
     return (kLevelWeight * level + decay) / static_cast<double>(used_.size());
   }
 
-  const BandProfile& recorded() const { return recorded_; }
   double centre_hz(std::size_t band) const { return analyser_.centre_hz()[band]; }
-  const std::vector<std::size_t>& used() const { return used_; }
 
  private:
+  /// The upper bound of the band's T60, or the lower one where there is no upper. Where nothing was heard,
+  /// the longest of all.
+  double longest_s(double hz) const {
+    double longest = 0;
+    for (const FittedBand& band : bands_) {
+      const double bound = band.decay.told() ? band.decay.high_s : band.decay.low_s;
+      if (band.holds(hz) && bound > 0) return bound;
+      longest = std::max(longest, bound);
+    }
+    return longest;
+  }
+
   /// Mean |difference| of the two courses in one band, the model's moved to the recording's level and with
   /// the recording's own floor under it.
   double decay_difference(const BandProfile& model, std::size_t b) const {
@@ -133,7 +165,29 @@ class Comparison {
   BandAnalyser analyser_;
   BandProfile recorded_;
   std::vector<std::size_t> used_;
+  std::vector<FittedBand> bands_;  // as many
 };
+
+/// The sound of one impact can be too short, or too close to its noise, to tell any decay.
+void require_told(const Comparison& comparison, const RecordedImpact& impact, const std::string& file) {
+  const std::vector<FittedBand>& bands = comparison.bands();
+  if (bands.empty())
+    throw InputError(file, "no third octave of the impact stands out of the noise, expected less noise");
+  if (std::any_of(bands.begin(), bands.end(), [](const FittedBand& band) { return band.decay.told(); }))
+    return;
+  const FittedBand& slowest = *std::max_element(
+      bands.begin(), bands.end(), [](const auto& x, const auto& y) { return x.decay.low_s < y.decay.low_s; });
+  const double length_s = static_cast<double>(impact.sound.size() - kBeforeImpact) / kAnalysisRate;
+  throw InputError(
+      file, fmt::format(
+                "tells no decay: the impact is heard for {:.0f} ms{}, expected a fall of {:.0f} dB above the "
+                "noise in one third octave at least: longer sound of one impact, or less noise",
+                1000 * length_s,
+                slowest.decay.low_s > 0 ? fmt::format(" (T60 at least {:.2g} s at {:.0f} Hz)",
+                                                      slowest.decay.low_s, slowest.centre_hz)
+                                        : "",
+                kHeardFall_db));
+}
 
 /// Decays, mix, pulse width and high-pass: the best of searches that start from short, middle and long
 /// decays.
@@ -146,7 +200,8 @@ void fit_decays(Comparison& comparison, ToolModel& model, const Progress& progre
     set(trial, u);
     put_decays(trial, trial.designs.front());
     if (progress) progress(std::min(1.0, static_cast<double>(++done) / kAll));
-    return comparison.cost(comparison.profile(trial));
+    return comparison.cost(comparison.profile(trial)) +
+           kOverlongWeight_db * comparison.overlong(tuned_modes(trial, trial.designs.front()));
   };
   SimplexOptions options;
   std::vector<double> start;
@@ -207,12 +262,9 @@ void level_out(ToolModel& model, std::size_t samples) {
 
 void note_error(const Comparison& comparison, const BandProfile& model, ToolFit& fit) {
   const std::vector<double> difference = comparison.level_difference(model);
-  const BandProfile& recorded = comparison.recorded();
-  const double loudest = *std::max_element(recorded.level_db.begin(), recorded.level_db.end());
+  fit.bands = comparison.bands();
   for (std::size_t i = 0; i < difference.size(); ++i) {
-    const std::size_t b = comparison.used()[i];
-    const double level = recorded.level_db[b] - loudest;
-    fit.bands.push_back({comparison.centre_hz(b), level, level - difference[i]});
+    fit.bands[i].model_db -= difference[i];
     fit.mean_error_db += std::fabs(difference[i]) / static_cast<double>(difference.size());
     fit.worst_error_db = std::max(fit.worst_error_db, std::fabs(difference[i]));
   }
@@ -233,6 +285,14 @@ Bar steel_of(const RecordedImpact& impact, const std::string& file, const Bar& g
 
 }  // namespace
 
+bool FittedBand::holds(double hz) const { return std::fabs(std::log2(hz / centre_hz)) <= 1.0 / 6; }
+
+const FittedBand* ToolFit::band_at(double hz) const {
+  const auto band =
+      std::find_if(bands.begin(), bands.end(), [hz](const FittedBand& b) { return b.holds(hz); });
+  return band == bands.end() ? nullptr : &*band;
+}
+
 ToolFit fit_tool(const Recording& recording, const std::string& file, const ToolFitOptions& options,
                  const Progress& progress) {
   const auto impact = strongest_impact(recording.mono);
@@ -245,10 +305,11 @@ ToolFit fit_tool(const Recording& recording, const std::string& file, const Tool
   fit.model.bar = steel_of(*impact, file, {options.length_m, options.diameter_m}, highest_hz, fit);
   require_valid(fit.model, kAnalysisRate);
   Comparison comparison(*impact, highest_hz);
+  require_told(comparison, *impact, file);
   fit_decays(comparison, fit.model, progress);
   make_tunable(fit.model);
   std::vector<double> centres;
-  for (const std::size_t b : comparison.used()) centres.push_back(comparison.centre_hz(b));
+  for (const FittedBand& band : comparison.bands()) centres.push_back(band.centre_hz);
   fit.model.voicing.equaliser =
       fit_bells(centres, comparison.level_difference(comparison.profile(fit.model)));
   level_out(fit.model, impact->sound.size());

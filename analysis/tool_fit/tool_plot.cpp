@@ -50,18 +50,39 @@ void draw_tuning(chart::Canvas& canvas, const std::vector<TunedMode>& modes) {
 }
 
 /// Whole decades around what there is.
-chart::Axis decay_axis(const std::vector<TunedMode>& modes) {
+chart::Axis decay_axis(const std::vector<TunedMode>& modes, const std::vector<FittedBand>& recorded) {
   double shortest = 1e9, longest = 0;
-  for (const TunedMode& mode : modes)
-    shortest = std::min(shortest, mode.t60_s), longest = std::max(longest, mode.t60_s);
+  const auto hold = [&](double t60_s) {
+    if (t60_s > 0 && std::isfinite(t60_s))
+      shortest = std::min(shortest, t60_s), longest = std::max(longest, t60_s);
+  };
+  for (const TunedMode& mode : modes) hold(mode.t60_s);
+  for (const FittedBand& band : recorded) hold(band.decay.low_s), hold(band.decay.high_s);
   const double low = std::floor(std::log10(shortest)),
                high = std::max(low + 1, std::ceil(std::log10(longest)));
   return chart::log_axis("T60, s", std::pow(10, low), std::pow(10, high));
 }
 
-void draw_decays(chart::Canvas& canvas, const std::vector<TunedMode>& modes) {
-  Plot plot(canvas, {0, kMiddle + 10, kWidth, kHeight}, "T60 of the free tool", frequency(),
-            decay_axis(modes));
+/// A bar from bound to bound over each third octave; what has no upper bound fades out at the top.
+void draw_bounds(Plot& plot, const std::vector<FittedBand>& recorded, double top_s) {
+  constexpr double kHalfBand = 1.1225;  // a sixth of an octave
+  bool open = false;
+  for (const FittedBand& band : recorded) {
+    if (band.decay.low_s <= 0) continue;
+    open = open || !band.decay.told();
+    const double high = band.decay.told() ? band.decay.high_s : top_s;
+    plot.band({band.centre_hz / kHalfBand, band.centre_hz * kHalfBand}, {band.decay.low_s, band.decay.low_s},
+              {high, high}, {Role::kOnset, band.decay.told() ? 0.45 : 0.15});
+  }
+  if (!recorded.empty()) plot.legend("■ recorded, 95 %", Role::kOnset);
+  if (open) plot.legend("pale: at least", Role::kGrey);
+}
+
+void draw_decays(chart::Canvas& canvas, const std::vector<TunedMode>& modes,
+                 const std::vector<FittedBand>& recorded) {
+  const chart::Axis t60 = decay_axis(modes, recorded);
+  Plot plot(canvas, {0, kMiddle + 10, kWidth, kHeight}, "T60 of the free tool", frequency(), t60);
+  draw_bounds(plot, recorded, t60.high);
   for (const Family& family : kFamilies) {
     std::vector<double> hz, t60_s;
     for (const TunedMode& mode : modes)
@@ -76,7 +97,8 @@ void draw_decays(chart::Canvas& canvas, const std::vector<TunedMode>& modes) {
 
 }  // namespace
 
-std::string tool_plot_svg(std::string_view title, const std::vector<TunedMode>& modes) {
+std::string tool_plot_svg(std::string_view title, const std::vector<TunedMode>& modes,
+                          const std::vector<FittedBand>& recorded) {
   constexpr double kTitleSize = 16, kLegendSize = 12, kLine = 28;
   chart::SvgCanvas canvas(kWidth, kHeight);
   canvas.text({54, kLine}, std::string(title),
@@ -85,8 +107,8 @@ std::string tool_plot_svg(std::string_view title, const std::vector<TunedMode>& 
   for (const Family& family : kFamilies) legend.push_back({std::string("● ") + family.name, family.role});
   canvas.words({kWidth - 10, kLine}, legend, kLegendSize);
   draw_tuning(canvas, modes);
-  draw_decays(canvas, modes);
-  return canvas.document();
+  draw_decays(canvas, modes, recorded);
+  return canvas.document(std::string(title));
 }
 
 }  // namespace rigsound::analysis

@@ -112,7 +112,11 @@ class Contrast(Case):
         self.assertLess(heard['underfeed']['feed_bar'], 90)
         self.assertGreater(heard['overfeed']['feed_bar'], 90)
         self.assertEqual(result.stderr, '')
-        self.assertIn('Can it be heard?', page.read_text())
+        html = page.read_text()
+        self.assertIn('Can it be heard?', html)
+        self.assertIn('Dots: measured at one feed.', html)
+        self.assertEqual(html.count('<svg'), html.count('role="img" aria-label="'))
+        self.assertIn('% right; 50 is guessing over feed pressure, bar', html)
 
     def test_rods_and_rocks_are_compared_when_the_set_knows_several(self):
         folder = write_sound_set(self.folder / 'set')

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "endings.hpp"
+#include "figure_row.hpp"
 #include "progress_bar.hpp"
 #include "rigsound/analysis/analyzer.hpp"
 #include "rigsound/analysis/report.hpp"
@@ -24,7 +25,7 @@ struct AnalyzeArguments {
   std::vector<std::string> inputs;
   std::string situation = "normal", method = "click-nmf", shard = "1/1", report, sound_set, labels, rig,
               bus_log;
-  bool no_denoise = false;
+  bool no_denoise = false, json = false;
   AnalyzerOptions options;
 };
 
@@ -46,14 +47,37 @@ AnalyzerOptions options_of(const AnalyzeArguments& a) {
   return options;
 }
 
+FigureRow bank_row(const AnalysedPart& p) {
+  const analysis::Label& label = p.part.label;
+  FigureRow row;
+  return row.add("bank", p.part.bank)
+      .add("situation", std::string(name(label.situation)))
+      .add_count("rods", static_cast<std::size_t>(label.rods))
+      .add("feed_bar", label.feed_bar, "{}")
+      .add("rate_hz", p.figures.rate_hz, "{:.3f}")
+      .add_count("clicks", static_cast<std::size_t>(p.clicks))
+      .add_count("found", static_cast<std::size_t>(p.figures.clicks_found))
+      .add("level_db", p.figures.level_db, "{:.2f}")
+      .add("snr_db", p.figures.snr_db, "{:.2f}")
+      .add("ltas_error_db", p.figures.ltas_error_db, "{:.2f}")
+      .add("modulation_error_db", p.figures.modulation_error_db, "{:.2f}")
+      .add("source", p.part.recording.string());
+}
+
+/// The line begins with the bank's name alone.
 void print_bank(const AnalysedPart& p) {
-  fmt::print(
-      "{} situation={} rods={} feed_bar={} rate_hz={:.3f} clicks={} found={} level_db={:.2f} snr_db={:.2f} "
-      "ltas_error_db={:.2f} "
-      "modulation_error_db={:.2f} source={}\n",
-      p.part.bank, name(p.part.label.situation), p.part.label.rods, p.part.label.feed_bar, p.figures.rate_hz,
-      p.clicks, p.figures.clicks_found, p.figures.level_db, p.figures.snr_db, p.figures.ltas_error_db,
-      p.figures.modulation_error_db, p.part.recording.string());
+  fmt::print("{}\n", bank_row(p).words().substr(std::string("bank=").size()));
+}
+
+void print_json(const AnalyzerResult& result) {
+  Json json{{"banks", Json::array()}, {"notes", result.notes}, {"failures", result.failures}};
+  for (const AnalysedPart& p : result.banks) {
+    Json bank = bank_row(p).json();
+    bank["rock"] = p.part.label.rock;
+    bank["warnings"] = p.warnings;
+    json["banks"].push_back(std::move(bank));
+  }
+  print_document(json);
 }
 
 void analyze(const AnalyzeArguments& a) {
@@ -65,7 +89,8 @@ void analyze(const AnalyzeArguments& a) {
   {
     ProgressBar bar;
     AnalyzerListener listener;
-    listener.done = [&bar](const AnalysedPart& part) {
+    listener.done = [&](const AnalysedPart& part) {
+      if (a.json) return;
       bar.clear();  // both may be on one terminal
       print_bank(part);
       std::fflush(stdout);
@@ -73,6 +98,7 @@ void analyze(const AnalyzeArguments& a) {
     listener.progress = [&bar](int analysed, int total) { bar.show(analysed, total); };
     result = run_analyzer(options, listener);
   }
+  if (a.json) print_json(result);
   for (const std::string& note : result.notes) fmt::print(stderr, "{}\n", note);
   for (const AnalysedPart& p : result.banks)
     for (const std::string& warning : p.warnings)
@@ -121,6 +147,7 @@ void add_analyze(cli::Verb& program) {
               "task of, whatever number that begins with")
       .shows_default();
   verb.option("--report", a->report, "also write one self-contained HTML page that shows every bank");
+  verb.flag("--json", a->json, "figures of all banks, notes and failures as one JSON document, at the end");
   verb.option("--method", a->method, "click-nmf, or paper: the drilling paper's own chain")
       .one_of({"click-nmf", "paper"})
       .shows_default();
@@ -139,6 +166,7 @@ void add_analyze(cli::Verb& program) {
       "beyond "
       "them is written to soundset.toml as [[laws]].");
   verb.example("rigsound analyze recordings/ --out soundset --jobs 4 --report report.html");
+  verb.example("rigsound analyze recordings/ --out soundset --json");
   verb.example(
       "rigsound analyze feed/ramp.wav --bus-log feed/ramp.log --rig config/rigs/demo.toml --out soundset");
   verb.example("sbatch --array=0-7 --wrap 'rigsound analyze recordings/ --out soundset --shard auto'");

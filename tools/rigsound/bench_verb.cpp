@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "bench/block_timer.hpp"
 #include "bench/formula_sounds.hpp"
+#include "figure_row.hpp"
 #include "progress_bar.hpp"
 #include "verbs.hpp"
 
@@ -87,19 +87,18 @@ void print_table(const std::vector<Row>& rows) {
 }
 
 void print_json(const std::vector<Row>& rows) {
-  nlohmann::ordered_json layers;
+  Json layers;
   for (const Row& row : rows) {
     const EngineCost& c = row.cost;
-    nlohmann::ordered_json& entry = layers[row.layer];
+    Json& entry = layers[row.layer];
     entry["ns_a_sample"] = c.ns_a_sample;
-    entry["instructions_a_sample"] =
-        c.instructions_a_sample ? nlohmann::json(*c.instructions_a_sample) : nlohmann::json();
+    entry["instructions_a_sample"] = c.instructions_a_sample ? Json(*c.instructions_a_sample) : Json();
     entry["mean_block_us"] = c.mean_block_us;
     entry["worst_block_us"] = c.worst_block_us;
     entry["blocks"] = c.blocks;
     entry["over_deadline"] = c.over_deadline;
   }
-  fmt::print("{}\n", layers.dump(2));
+  print_document(layers);
 }
 
 }  // namespace
@@ -112,12 +111,13 @@ void add_bench(cli::Verb& program) {
   cli::Verb verb = program.verb("bench", "Measure what the synthesiser costs on this machine, layer by layer")
                        .group(kInspect);
   auto o = std::make_shared<Options>();
-  verb.flag("--json", o->json, "figures for programs");
+  verb.flag("--json", o->json, "figures as one JSON document instead of a table");
   verb.option("--seconds", o->seconds, "sound to play per figure").range(0.1, 3600, "s").shows_default();
   verb.details(
       "One boom that drills at 1800 r/min, blocks of 64 frames at 48 kHz, sounds made from formulas.\n"
       "Means are those of the quietest of eight rounds, worst blocks those of all.");
   verb.example("rigsound bench --seconds 30");
+  verb.example("rigsound bench --json");
   verb.callback([o] {
     const std::vector<Row> rows = measure_layers(o->seconds);
     o->json ? print_json(rows) : print_table(rows);

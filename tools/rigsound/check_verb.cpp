@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 
+#include "check/check_json.hpp"
 #include "check/modbus_probe.hpp"
 #include "rigsound/config/rig.hpp"
 #include "rigsound/feed_reach.hpp"
@@ -13,11 +15,10 @@ namespace rigsound::tools {
 namespace {
 
 void print_rule(const config::Rig& rig, SignalId id) {
-  constexpr std::string_view kActions[] = {"hold", "idle", "mute"};
   const SafetyRule& rule = rig.safety.rule[static_cast<std::size_t>(id.signal)];
   if (rule.stale_after_s > 0)
     fmt::print("  stale after {:g} ms: {}\n", rule.stale_after_s * 1000,
-               kActions[static_cast<std::size_t>(rule.action)]);
+               kStaleActions[static_cast<std::size_t>(rule.action)]);
   else
     fmt::print("  never stale\n");
 }
@@ -70,19 +71,25 @@ bool delivers(const config::Rig& rig, Signal signal) {
   for (const modbus::ModbusOptions& link : rig.modbus)
     for (const modbus::RegisterRoute& route : link.routes)
       if (route.target.signal == signal) return true;
+  const auto named = [&](const std::vector<udp::NameRoute>& routes) {
+    return std::any_of(routes.begin(), routes.end(),
+                       [&](const udp::NameRoute& route) { return route.target.signal == signal; });
+  };
   for (const udp::UdpOptions& input : rig.udp)
-    for (const udp::NameRoute& route : input.routes)
-      if (route.target.signal == signal) return true;
+    if (named(input.routes)) return true;
+  if (named(rig.osc.routes)) return true;
   for (const udp::NameRoute& route : rig.osc.routes)
     if (route.target.signal == signal) return true;
   return false;
 }
 
-void warn_of_missing_signals(const config::Rig& rig) {
+std::vector<std::string> missing_signals(const config::Rig& rig) {
+  std::vector<std::string> missing;
   for (const Signal needed : {Signal::kEngineRpm, Signal::kFeedPressureBar, Signal::kRattling})
     if (!delivers(rig, needed))
-      fmt::print(stderr, "{}: no bus delivers {}, it will stay at {:g}\n", rig.file.string(),
-                 info(needed).name, info(needed).absent);
+      missing.push_back(fmt::format("{}: no bus delivers {}, it will stay at {:g}", rig.file.string(),
+                                    info(needed).name, info(needed).absent));
+  return missing;
 }
 
 /// "level from 262 bar, decay from 240 bar", of one end.
@@ -95,46 +102,62 @@ std::string limits_text(const scene::FeedReach& reach, const std::function<bool(
 }
 
 /// Where the trends beyond the recorded feeds flatten.
-void print_feed_reach(const config::Rig& rig, const SoundSet& sounds) {
-  for (const scene::FeedReach& reach : scene::feed_reach(sounds, rig.engine.scene))
+void print_feed_reach(const CheckedRig& checked) {
+  for (const scene::FeedReach& reach : checked.reach)
     fmt::print("feed, {} {}{}: {} banks at {:g} to {:g} bar; flattens below them: {}; above: {}\n",
                reach.rods, reach.rods == 1 ? "rod" : "rods",
-               reach.rock < 0 ? "" : ", " + sounds.rocks[static_cast<std::size_t>(reach.rock)].name,
-               reach.banks, reach.lowest_bar, reach.highest_bar,
+               reach.rock < 0 ? "" : ", " + checked.rocks[static_cast<std::size_t>(reach.rock)], reach.banks,
+               reach.lowest_bar, reach.highest_bar,
                limits_text(reach, [&](double bar) { return bar <= reach.lowest_bar; }),
                limits_text(reach, [&](double bar) { return bar >= reach.highest_bar; }));
 }
 
+CheckedRig checked_rig(const config::Rig& rig, const SoundSet& sounds) {
+  CheckedRig checked{rig, {}, {}, scene::feed_reach(sounds, rig.engine.scene), missing_signals(rig)};
+  checked.sounds = {sounds.banks.size(), 0, sounds.rocks.size(), sounds.tools.size() + sounds.strings.size(),
+                    sounds.diesels.front().name};
+  for (const ClickBank& bank : sounds.banks) checked.sounds.clicks += bank.clicks.size();
+  for (const auto& rock : sounds.rocks) checked.rocks.push_back(rock.name);
+  return checked;
+}
+
+void print_text(const CheckedRig& checked) {
+  const config::Rig& rig = checked.rig;
+  const SoundCounts& sounds = checked.sounds;
+  fmt::print("ok\n");
+  fmt::print("audio {}: {:g} Hz, {} channels, blocks of {} frames ({:.2f} ms), {} periods\n",
+             rig.audio.device, rig.audio.rate, rig.audio.channels, rig.audio.block,
+             rig.audio.block / rig.audio.rate * 1000, rig.audio.periods);
+  fmt::print("sound set {}: {} banks, {} clicks, {} rocks, {} tools, background: {}\n",
+             rig.sound_set.string(), sounds.banks, sounds.clicks, sounds.rocks, sounds.tools,
+             sounds.background);
+  fmt::print("booms:");
+  for (const BoomOptions& boom : rig.engine.booms) fmt::print(" {}", boom.name);
+  fmt::print("\n");
+  print_feed_reach(checked);
+  print_can(rig);
+  print_modbus(rig);
+  print_udp(rig);
+  print_osc(rig);
+}
+
 struct CheckArguments {
   std::string rig;
-  bool probe = false;
+  bool probe = false, json = false;
 };
 
 void check(const CheckArguments& options) {
   config::Rig rig = config::load_rig(options.rig);
   config::control_token(rig);
   SoundSet sounds = config::load_sounds(rig);
-  std::size_t clicks = 0;
-  for (const ClickBank& bank : sounds.banks) clicks += bank.clicks.size();
-  const std::string summary = fmt::format(
-      "sound set {}: {} banks, {} clicks, {} rocks, {} tools, background: {}\n", rig.sound_set.string(),
-      sounds.banks.size(), clicks, sounds.rocks.size(), sounds.tools.size(), sounds.diesels.front().name);
+  const CheckedRig checked = checked_rig(rig, sounds);
   const Engine engine = config::build_engine(rig, sounds);  // builds every table the daemon would
-  fmt::print("ok\n");
-  fmt::print("audio {}: {:g} Hz, {} channels, blocks of {} frames ({:.2f} ms), {} periods\n",
-             rig.audio.device, rig.audio.rate, rig.audio.channels, rig.audio.block,
-             rig.audio.block / rig.audio.rate * 1000, rig.audio.periods);
-  fmt::print("{}", summary);
-  fmt::print("booms:");
-  for (const BoomOptions& boom : rig.engine.booms) fmt::print(" {}", boom.name);
-  fmt::print("\n");
-  print_feed_reach(rig, sounds);
-  print_can(rig);
-  print_modbus(rig);
-  print_udp(rig);
-  print_osc(rig);
+  if (options.json)
+    print_document(check_json(checked));
+  else
+    print_text(checked);
   for (const std::string& doubt : rig.doubts) fmt::print(stderr, "{}\n", doubt);
-  warn_of_missing_signals(rig);
+  for (const std::string& missing : checked.missing) fmt::print(stderr, "{}\n", missing);
   if (options.probe) probe_modbus(rig);
 }
 
@@ -144,13 +167,16 @@ void add_check(cli::Verb& program) {
   cli::Verb verb = program.verb("check", "Validate everything the daemon would load").group(kInspect);
   auto options = std::make_shared<CheckArguments>();
   verb.positional("RIG.toml", options->rig, "the rig").required();
-  verb.flag("--probe", options->probe,
-            "also read every Modbus register once: live values, 32 bit ones in all four word orders");
+  const cli::Option probe =
+      verb.flag("--probe", options->probe,
+                "also read every Modbus register once: live values, 32 bit ones in all four word orders");
+  verb.flag("--json", options->json, "the summary as one JSON document").excludes(probe);
   verb.callback([options] { check(*options); });
   verb.details(
       "Prints `ok` and a summary, or one line FILE:LINE: KEY: what is wrong, what was expected (exit code "
       "1).");
   verb.example("rigsound check config/rigs/demo.toml");
+  verb.example("rigsound check config/rigs/demo.toml --json");
 }
 
 }  // namespace rigsound::tools

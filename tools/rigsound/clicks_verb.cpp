@@ -1,10 +1,9 @@
 // rigsound clicks: when the drill strikes, and how hard.
-#include <fmt/format.h>
-
 #include <cstdio>
 #include <memory>
 
 #include "chain_arguments.hpp"
+#include "figure_row.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "verbs.hpp"
 
@@ -13,18 +12,32 @@ namespace {
 
 struct ClicksOptions {
   ChainArguments chain;
-  bool no_denoise = false;
+  bool no_denoise = false, json = false;
 };
+
+FigureRow click_row(double onset_samples, double amplitude) {
+  FigureRow row;
+  return row.add("time_s", onset_samples / analysis::kAnalysisRate, "{:.6f}")
+      .add("amplitude", amplitude, "{:.6g}");
+}
 
 void run(const ClicksOptions& options) {
   const analysis::Recording recording = read_input(options.chain);
   const analysis::ChainResult result =
       run_chain(recording, options.chain, options.no_denoise ? Denoising::kOff : Denoising::kOn);
-  std::string csv = "time_s,amplitude\n";
-  for (size_t i = 0; i < result.clicks.P.size(); ++i)
-    csv +=
-        fmt::format("{:.6f},{:.6g}\n", result.clicks.P[i] / analysis::kAnalysisRate, result.clicks.beta[i]);
-  std::fputs(csv.c_str(), stdout);
+  std::vector<FigureRow> rows;
+  for (std::size_t i = 0; i < result.clicks.P.size(); ++i)
+    rows.push_back(click_row(result.clicks.P[i], result.clicks.beta[i]));
+  if (options.json) {
+    print_document({{"recording", options.chain.input},
+                    {"drilling_found", result.drilling_found},
+                    {"reason", result.reason},
+                    {"clicks", json_list(rows)}});
+  } else {
+    std::string csv = click_row(0, 0).csv_head();
+    for (const FigureRow& row : rows) csv += row.csv();
+    std::fputs(csv.c_str(), stdout);
+  }
   if (!result.drilling_found) report_nothing_found(options.chain, result);
 }
 
@@ -36,12 +49,14 @@ void add_clicks(cli::Verb& program) {
   const auto options = std::make_shared<ClicksOptions>();
   add_chain_arguments(verb, options->chain);
   verb.flag("--no-denoise", options->no_denoise, "take the recording as clean");
+  verb.flag("--json", options->json, "clicks and verdict as one JSON document instead of CSV");
   verb.details(
       "Writes CSV to stdout: time_s (onset, seconds of the recording), amplitude (full scale 1), sorted by "
       "time. "
       "A recording without drilling gives the header alone, the reason on stderr, and exit code 0: it is no "
       "error.");
   verb.example("rigsound clicks rock.wav > clicks.csv");
+  verb.example("rigsound clicks rock.wav --json");
   verb.callback([options] { run(*options); });
 }
 

@@ -96,6 +96,7 @@ void add_contrast(cli::Verb& program) {
       "told "
       "apart, overfeed above all, is named on stderr with `warning:`; the exit code stays 0.");
   verb.example("rigsound contrast config/rigs/demo.toml --report contrast.html");
+  verb.example("rigsound contrast config/rigs/demo.toml --json");
 }
 
 }  // namespace rigsound::tools

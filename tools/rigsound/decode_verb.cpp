@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdio>
 
-#include "decode/state_csv.hpp"
+#include "decode/state_rows.hpp"
 #include "log_arguments.hpp"
 #include "log_notes.hpp"
 #include "refused_values.hpp"
@@ -19,6 +19,9 @@ namespace {
 struct DecodeArguments {
   std::string rig, session;
   LogArguments log;
+  bool json = false;
+
+  StateRows::Form form() const { return json ? StateRows::Form::kJson : StateRows::Form::kCsv; }
 };
 
 std::vector<SignalId> watched(const config::Rig& rig) {
@@ -40,28 +43,28 @@ std::string value_text(const log::Change& change) {
 /// Prints the rows of a log's changes, and of what follows from them, once all of one time are known.
 class LogRows {
  public:
-  explicit LogRows(const config::Rig& rig) : csv_(rig), rig_(rig) {}
+  explicit LogRows(const config::Rig& rig) : rows_(rig), rig_(rig) {}
 
   void add(const log::Change& change) {
     if (change.time_s != time_s_) add_situations();
     time_s_ = change.time_s;
-    csv_.add(time_s_, config::signal_label(rig_, change.signal), value_text(change));
+    rows_.add(time_s_, config::signal_label(rig_, change.signal), value_text(change));
     const SignalInfo& signal = info(change.signal.signal);
     signal.set(state_, change.signal.boom, change.value);
     if (signal.per_boom) told_[change.signal.boom] = true;
   }
-  const std::string& finish() {
+  std::string finish(StateRows::Form form) {
     add_situations();
-    return csv_.text();
+    return rows_.text(form);
   }
 
  private:
   void add_situations() {
     for (int b = 0; b < kMaxBooms; ++b)
-      if (told_[b]) csv_.add_situation(time_s_, b, state_.boom[b]);
+      if (told_[b]) rows_.add_situation(time_s_, b, state_.boom[b]);
   }
 
-  StateCsv csv_;
+  StateRows rows_;
   const config::Rig& rig_;
   double time_s_ = 0;
   MachineState state_;
@@ -75,7 +78,7 @@ void decode_log(const DecodeArguments& options) {
   LogRows rows(rig);  // printed whole or not at all
   const SignalBoard board = log::trace_changes(*log, rig.safety, watched(rig),
                                                [&](const log::Change& change) { rows.add(change); });
-  fmt::print("{}", rows.finish());
+  fmt::print("{}", rows.finish(options.form()));
   print_log_notes(options.log.log, *log);
   print_refused_values(rig, board);
 }
@@ -86,10 +89,10 @@ void decode_session(const DecodeArguments& options) {
   const session::SessionStates states(file);
   const session::SessionHeader& header = states.header();
   const double block_s = header.block / header.sample_rate;
-  StateCsv csv(rig);
+  StateRows rows(rig);
   for (const session::SessionStates::Change& change : states.changes())
-    csv.add_state(static_cast<double>(change.block) * block_s, change.state);
-  fmt::print("{}", csv.text());
+    rows.add_state(static_cast<double>(change.block) * block_s, change.state);
+  fmt::print("{}", rows.text(options.form()));
   fmt::print(stderr, "{}: {:.1f} s, played by rigsound {} at {:g} Hz in blocks of {} frames, seed {}\n",
              file.string(), static_cast<double>(states.blocks()) * block_s, header.program,
              header.sample_rate, header.block, header.seed);
@@ -107,6 +110,7 @@ void add_decode(cli::Verb& program) {
   source.option("--session", options->session,
                 "what rigsoundd --session wrote: what the engine was told; of a folder the newest");
   add_log_options(verb, options->log);
+  verb.flag("--json", options->json, "the rows as one JSON document instead of CSV");
   verb.callback([options] { options->session.empty() ? decode_log(*options) : decode_session(*options); });
   verb.details(
       "Prints CSV time_s,signal,value: one row for the first valid value of a signal and one at each change. "
@@ -123,6 +127,7 @@ void add_decode(cli::Verb& program) {
       "nothing "
       "says any more is `absent`.");
   verb.example("rigsound decode config/rigs/demo.toml --log config/logs/shift.log");
+  verb.example("rigsound decode config/rigs/demo.toml --log config/logs/shift.log --json");
   verb.example("rigsound decode config/rigs/demo.toml --session sessions");
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "endings.hpp"
+#include "figure_row.hpp"
 #include "log_arguments.hpp"
 #include "log_notes.hpp"
 #include "progress_bar.hpp"
@@ -35,7 +36,7 @@ struct RenderArguments {
   LogArguments log;
   std::optional<std::uint64_t> seed;
   double from_s = 0, to_s = HUGE_VAL;
-  bool no_hash = false;
+  bool no_hash = false, json = false;
 };
 
 /// Shows on its way how far a source has come.
@@ -85,9 +86,14 @@ void render(config::Rig& rig, audio::StateSource& states, double source_s, audio
                           fmt::format("{:g} s is after the end at {:.3f} s", options.from_s, length_s));
   file.commit();
   tell_clipped(options.out, file.clipped());
-  std::FILE* const figures = figures_beside({options.out});
-  if (!options.no_hash) fmt::print(figures, "sha256 {}\n", digest.hex());
-  fmt::print(figures, "realtime_factor {:.2f}\n", length_s / spent.count());
+  std::FILE* const to = figures_beside({options.out});
+  FigureRow figures;
+  if (!options.no_hash) figures.add("sha256", digest.hex());
+  figures.add("realtime_factor", length_s / spent.count(), "{:.2f}");
+  if (options.json)
+    print_document(figures.json(), to);
+  else
+    fmt::print(to, "{}", figures.lines());
   if (built_in_diesel)
     fmt::print(stderr, "{}: no background model in the sound set; using the built-in diesel\n",
                rig.sound_set.string());
@@ -170,6 +176,7 @@ void add_render(cli::Verb& program) {
   verb.option("--from", options->from_s, "OUT begins with the block that holds it").at_least(0, "s");
   verb.option("--to", options->to_s, "OUT ends with the block before it; left out: the end").at_least(0, "s");
   verb.flag("--no-hash", options->no_hash, "print no sha256");
+  verb.flag("--json", options->json, "the figures as one JSON document");
   verb.callback([options] {
     require_apart({options->out}, {options->rig, options->log.log, options->session, options->states});
     require_sound_ending("--out", options->out);
@@ -189,6 +196,7 @@ void add_render(cli::Verb& program) {
       "sound goes to "
       "standard output and the figures to stderr.");
   verb.example("rigsound render config/rigs/demo.toml --log config/logs/shift.log --out out/demo.wav");
+  verb.example("rigsound render rig.toml --states bus.csv --out bus.wav --json");
 }
 
 }  // namespace rigsound::tools

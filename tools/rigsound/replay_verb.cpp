@@ -215,7 +215,7 @@ void add_replay(cli::Verb& program) {
   target.option("--udp", options->udp, "HOST:PORT to send the datagrams to");
   add_gap_option(verb, options->log);
   verb.option("--speed", options->speed, "2: twice as fast").range(0.001, 1000).shows_default();
-  verb.flag("--json", options->json, "figures as one JSON object");
+  verb.flag("--json", options->json, "figures as one JSON document");
   verb.callback([options] { replay(*options); });
   verb.details(
       "Prints how many entries were sent and how late (mean, worst; deadlines are absolute, lateness does "
@@ -224,6 +224,7 @@ void add_replay(cli::Verb& program) {
       "is "
       "written.");
   verb.example("rigsound replay config/logs/shift.log --can vcan0");
+  verb.example("rigsound replay config/logs/shift.log --can vcan0 --json");
 }
 
 }  // namespace rigsound::tools

@@ -4,7 +4,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <sstream>
 
+#include "figure_row.hpp"
 #include "progress_bar.hpp"
 #include "rigsound/analysis/simulate.hpp"
 #include "rigsound/file/atomic_folder.hpp"
@@ -22,6 +24,7 @@ struct SimulateOptions {
   double rate_factor = 1;
   double ramp_seconds = 0;
   std::string rods;
+  bool json = false;
 };
 
 constexpr double kRecordingSeconds = 18, kClipSeconds = 2;
@@ -70,6 +73,28 @@ std::vector<std::string> situations(const SimulateOptions& o, const std::filesys
   return lines;
 }
 
+/// A number, LOW..HIGH as two of them, or the word itself.
+Json figure(const std::string& word) {
+  const std::size_t dots = word.find("..");
+  if (dots != std::string::npos) return {figure(word.substr(0, dots)), figure(word.substr(dots + 2))};
+  const Json number = Json::parse(word, nullptr, false);
+  return number.is_number() ? number : Json(word);
+}
+
+/// Of lines `FILE name=value name=value`.
+Json recordings(const std::vector<std::string>& lines) {
+  Json list = Json::array();
+  for (const std::string& line : lines) {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    Json recording{{"recording", word}};
+    while (words >> word) recording[word.substr(0, word.find('='))] = figure(word.substr(word.find('=') + 1));
+    list.push_back(std::move(recording));
+  }
+  return list;
+}
+
 void simulate(const SimulateOptions& o) {
   AtomicFolder folder(o.folder);  // all recordings or none
   ProgressBar bar;
@@ -82,6 +107,7 @@ void simulate(const SimulateOptions& o) {
                                                  progress);
   bar.clear();
   folder.join();
+  if (o.json) return print_document({{"recordings", recordings(lines)}});
   for (const std::string& line : lines) std::printf("%s\n", line.c_str());
 }
 
@@ -115,6 +141,8 @@ void add_simulate(cli::Verb& program) {
       .needs(ids);
   verb.example("rigsound simulate --out recordings --seed 7");
   verb.example("rigsound simulate --out recordings --feed-ramp --rods 1,3,6");
+  verb.flag("--json", o->json, "the recordings and their truth in figures as one JSON document");
+  verb.example("rigsound simulate --out recordings --json");
   verb.example("rigsound simulate --out bench --ids 100-131 --snr -6,0,6,12");
   verb.callback([o] { simulate(*o); });
 }

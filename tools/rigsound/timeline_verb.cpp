@@ -15,7 +15,7 @@ namespace rigsound::tools {
 namespace {
 
 struct TimelineArguments {
-  std::string picture, sound, states, rig;
+  std::string picture, sound, states, rig, theme = "light";
   double underfeed_bar = SceneOptions().underfeed_bar, overfeed_bar = SceneOptions().overfeed_bar;
   std::optional<cli::Option> underfeed, overfeed;
   analysis::TimelineOptions timeline;
@@ -31,6 +31,7 @@ void draw(TimelineArguments o) {
     throw cli::UsageError("--underfeed",
                           fmt::format("is {:g} bar, expected less than the {:g} bar of overfeed",
                                       scene.underfeed_bar, scene.overfeed_bar));
+  if (o.theme == "dark") o.timeline.theme = analysis::TimelineTheme::kDark;
   ProgressBar bar;
   analysis::write_timeline(o.picture, o.sound, o.states, o.timeline,
                            [&bar](double share) { bar.show(share); });
@@ -53,6 +54,7 @@ void add_timeline(cli::Verb& program) {
   o->overfeed =
       threshold("--overfeed", o->overfeed_bar, "feed pressure over which it is overfeed; beats --rig");
   verb.option("--title", o->timeline.title, "over the picture (default: the name of the sound)");
+  verb.option("--theme", o->theme, "of the picture").one_of({"light", "dark"}).shows_default();
   verb.option("--width", o->timeline.width, "of the picture")
       .shows_default()
       .range(analysis::kMinTimelineWidth, analysis::kMaxTimelineSide, "pixels");
@@ -65,6 +67,7 @@ void add_timeline(cli::Verb& program) {
       "states do "
       "not hold are left out. The levels of the spectrogram are relative to a sine of full scale.");
   verb.example("rigsound timeline out/demo.png --wav out/demo.wav --states out/demo.csv");
+  verb.example("rigsound timeline dark.png --wav out/demo.wav --states out/demo.csv --theme dark");
 }
 
 }  // namespace rigsound::tools

@@ -1,12 +1,14 @@
 // rigsound tool: the bar waveguide tuned to a steel, and fitted to its recorded sound; or a drill string.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "endings.hpp"
+#include "figure_row.hpp"
 #include "progress_bar.hpp"
 #include "read_recording.hpp"
 #include "rigsound/analysis/tool_fit.hpp"
@@ -41,6 +43,37 @@ std::string name_of(const ToolOptions& o, const Bar& bar) {
                          : fmt::format("steel_{:.0f}x{:.0f}", 1000 * bar.length_m, 1000 * bar.diameter_m);
 }
 
+/// Which third octaves tell their decay, and how well.
+void report_decays(const analysis::ToolFit& fit) {
+  std::vector<double> excess;  // of the upper bound over the likeliest T60
+  std::string at_least;
+  for (const analysis::FittedBand& band : fit.bands) {
+    const analysis::DecayBounds& decay = band.decay;
+    if (decay.told()) excess.push_back(decay.high_s / decay.t60_s - 1);
+    if (!decay.told() && decay.low_s > 0)
+      at_least += fmt::format("{}at least {:.2g} s at {:.0f} Hz", at_least.empty() ? "" : ", ", decay.low_s,
+                              band.centre_hz);
+  }
+  std::sort(excess.begin(), excess.end());
+  fmt::print(stderr, "decays told in {} of {} third octaves: T60 within +{:.0f} % in half of them (95 %)\n",
+             excess.size(), fit.bands.size(), 100 * excess[excess.size() / 2]);
+  if (!at_least.empty()) fmt::print(stderr, "T60 {}: longer sound of one impact would tell more\n", at_least);
+}
+
+/// Modes that the steel's few losses cannot bring within the bounds.
+void report_modes(const std::vector<TunedMode>& modes, const analysis::ToolFit& fit) {
+  std::size_t shorter = 0, longer = 0, compared = 0;
+  for (const TunedMode& mode : modes) {
+    const analysis::FittedBand* const band = fit.band_at(mode.model_hz);
+    if (band == nullptr || !band->decay.told()) continue;
+    ++compared;
+    shorter += mode.t60_s<band->decay.low_s, longer += mode.t60_s> band->decay.high_s;
+  }
+  if (shorter + longer > 0)
+    fmt::print(stderr, "of {} modes, {} ring shorter than recorded and {} longer: loops decay by one law\n",
+               compared, shorter, longer);
+}
+
 void report(const analysis::ToolFit& fit) {
   if (fit.estimated)
     fmt::print(stderr, "steel estimated from {} modes: {:.3f} m x {:.1f} mm\n", fit.matched_modes,
@@ -49,55 +82,68 @@ void report(const analysis::ToolFit& fit) {
              "impact at {:.3f} s, {:.0f} ms: third-octave error {:.2f} dB on average, {:.2f} dB at worst ({} "
              "bands)\n",
              fit.onset_s, 1000 * fit.length_s, fit.mean_error_db, fit.worst_error_db, fit.bands.size());
+  report_decays(fit);
 }
 
-nlohmann::ordered_json fit_json(const analysis::ToolFit& fit) {
-  nlohmann::ordered_json json;
-  json["length_m"] = fit.model.bar.length_m;
-  json["diameter_m"] = fit.model.bar.diameter_m;
-  json["estimated"] = fit.estimated;
-  json["matched_modes"] = fit.matched_modes;
-  json["onset_s"] = fit.onset_s;
-  json["mean_error_db"] = fit.mean_error_db;
-  json["worst_error_db"] = fit.worst_error_db;
-  for (const analysis::FittedBand& band : fit.bands)
-    json["bands"].push_back(
-        {{"centre_hz", band.centre_hz}, {"recorded_db", band.recorded_db}, {"model_db", band.model_db}});
+FigureRow band_row(const analysis::FittedBand& band) {
+  FigureRow row;
+  return row.add("centre_hz", band.centre_hz)
+      .add("recorded_db", band.recorded_db)
+      .add("recorded_low_db", band.recorded_low_db)
+      .add("recorded_high_db", band.recorded_high_db)
+      .add("model_db", band.model_db)
+      .add("t60_s", band.decay.told() ? band.decay.t60_s : NAN)
+      .add("t60_low_s", band.decay.low_s > 0 ? band.decay.low_s : NAN)
+      .add("t60_high_s", band.decay.high_s)
+      .add("heard_db", band.decay.heard_db);
+}
+
+Json fit_json(const analysis::ToolFit& fit) {
+  FigureRow row;
+  row.add("length_m", fit.model.bar.length_m)
+      .add("diameter_m", fit.model.bar.diameter_m)
+      .add_flag("estimated", fit.estimated)
+      .add_count("matched_modes", static_cast<std::size_t>(fit.matched_modes))
+      .add("onset_s", fit.onset_s)
+      .add("mean_error_db", fit.mean_error_db)
+      .add("worst_error_db", fit.worst_error_db);
+  std::vector<FigureRow> bands;
+  for (const analysis::FittedBand& band : fit.bands) bands.push_back(band_row(band));
+  Json json = row.json();
+  json["bands"] = json_list(bands);
   return json;
 }
 
-void print_modes(const std::vector<TunedMode>& modes) {
-  std::string csv = "family,mode,target_hz,model_hz,error_cents,t60_s\n";
-  for (const TunedMode& m : modes)
-    csv += fmt::format("{},{},{:.3f},{:.3f},{:.4f},{:.6f}\n", m.family, m.mode, m.target_hz, m.model_hz,
-                       m.error_cents, m.t60_s);
-  std::fputs(csv.c_str(), stdout);
+/// `fit`: nullptr without a recording.
+FigureRow mode_row(const TunedMode& m, const analysis::ToolFit* fit) {
+  FigureRow row;
+  row.add("family", std::string(m.family))
+      .add_count("mode", static_cast<std::size_t>(m.mode))
+      .add("target_hz", m.target_hz, "{:.3f}")
+      .add("model_hz", m.model_hz, "{:.3f}")
+      .add("error_cents", m.error_cents, "{:.4f}")
+      .add("t60_s", m.t60_s, "{:.6f}");
+  if (fit == nullptr) return row;
+  const analysis::FittedBand* const band = fit->band_at(m.model_hz);
+  const bool heard = band != nullptr && band->decay.low_s > 0;
+  return row.add("t60_low_s", heard ? band->decay.low_s : NAN, "{:.6f}")
+      .add("t60_high_s", heard ? band->decay.high_s : NAN, "{:.6f}");
 }
 
-void print_json(const std::vector<TunedMode>& modes, nlohmann::ordered_json json) {
-  for (const TunedMode& m : modes)
-    json["modes"].push_back({{"family", m.family},
-                             {"mode", m.mode},
-                             {"target_hz", m.target_hz},
-                             {"model_hz", m.model_hz},
-                             {"error_cents", m.error_cents},
-                             {"t60_s", m.t60_s}});
-  fmt::print("{}\n", json.dump(2));
+/// The steel as heard in the recording, if there is one.
+std::optional<analysis::ToolFit> fit_of(const ToolOptions& o) {
+  if (o.recording.empty()) return std::nullopt;
+  const analysis::Recording recording = read_whole(o.recording, "struck steel");
+  ProgressBar bar;
+  analysis::ToolFit fit = analysis::fit_tool(recording, o.recording, {o.length_m, o.diameter_m},
+                                             [&bar](double share) { bar.show(share); });
+  bar.clear();
+  report(fit);
+  return fit;
 }
 
-/// The steel as asked for, or as heard in the recording.
-ToolModel model_of(const ToolOptions& o, nlohmann::ordered_json& json) {
-  if (!o.recording.empty()) {
-    const analysis::ToolFit fit = [&] {
-      const analysis::Recording recording = read_whole(o.recording, "struck steel");
-      ProgressBar bar;
-      return analysis::fit_tool(recording, o.recording, {o.length_m, o.diameter_m},
-                                [&bar](double share) { bar.show(share); });
-    }();
-    report(fit);
-    json["fit"] = fit_json(fit);
-    return fit.model;
-  }
+/// The steel as asked for.
+ToolModel model_of(const ToolOptions& o) {
   ToolModel model = o.tool;
   model.bar = {o.length_m, o.diameter_m};
   model.longitudinal.reflection_min = model.longitudinal.reflection_max;
@@ -107,9 +153,24 @@ ToolModel model_of(const ToolOptions& o, nlohmann::ordered_json& json) {
   return model;
 }
 
+void print_figures(const ToolOptions& o, const std::vector<TunedMode>& modes, const analysis::ToolFit* fit) {
+  std::vector<FigureRow> rows;
+  for (const TunedMode& mode : modes) rows.push_back(mode_row(mode, fit));
+  if (!o.json) {
+    std::string csv = mode_row({}, fit).csv_head();
+    for (const FigureRow& row : rows) csv += row.csv();
+    std::fputs(csv.c_str(), stdout);
+    return;
+  }
+  Json json;
+  if (fit != nullptr) json["fit"] = fit_json(*fit);
+  json["modes"] = json_list(rows);
+  print_document(json);
+}
+
 void design_bar(const ToolOptions& o) {
-  nlohmann::ordered_json json;
-  ToolModel model = model_of(o, json);
+  const std::optional<analysis::ToolFit> fit = fit_of(o);
+  ToolModel model = fit ? fit->model : model_of(o);
   model.name = name_of(o, model.bar);
   const ToolDesign design = design_tool(model, o.rate);
   const std::vector<TunedMode> modes = tuned_modes(model, design);
@@ -126,12 +187,9 @@ void design_bar(const ToolOptions& o) {
     write_file(o.plot,
                analysis::tool_plot_svg(fmt::format("{}: {:g} m x {:g} mm at {:g} Hz", model.name,
                                                    model.bar.length_m, 1000 * model.bar.diameter_m, o.rate),
-                                       modes));
-  if (o.json) {
-    print_json(modes, std::move(json));
-  } else {
-    print_modes(modes);
-  }
+                                       modes, fit ? fit->bands : std::vector<analysis::FittedBand>()));
+  if (fit) report_modes(modes, *fit);
+  print_figures(o, modes, fit ? &*fit : nullptr);
 }
 
 void run(const ToolOptions& o) {
@@ -200,10 +258,17 @@ void add_tool(cli::Verb& program) {
               "of the tool in the sound set [steel_LENGTHxDIAMETER or string_RODSxLENGTHxDIAMETER, mm]");
   verb.option("--out", o->sound_set,
               "sound set to add the tool to; a tool of that name that differs is kept as NAME.json.old");
-  verb.option("--plot", o->plot, "SVG to draw: wanted and reached modes, decays");
+  verb.option("--plot", o->plot,
+              "SVG to draw: wanted and reached modes, decays, and what a recording tells of them");
   verb.flag("--json", o->json, "figures as JSON instead of CSV");
   verb.details(
-      "Writes CSV to stdout: family,mode,target_hz,model_hz,error_cents,t60_s. --string has more columns and "
+      "Writes CSV to stdout: family,mode,target_hz,model_hz,error_cents,t60_s. --from adds "
+      "t60_low_s,t60_high_s: "
+      "between which the recording has T60 around the mode, with 95 % confidence; up to `inf` where it is "
+      "too "
+      "short or too noisy to tell more than `at least`; empty where it tells nothing. No mode rings "
+      "longer than the recording bears out, and one that tells no decay at all is refused.\n--string has "
+      "more columns and "
       "four "
       "families: `bending` of the rod outside the hole; `longitudinal` of the rods end to end, a comb; "
       "`longitudinal_jointed` with shank and sleeves, as the string plays; t60_pressed_s is T60 while full "
@@ -214,6 +279,7 @@ void add_tool(cli::Verb& program) {
       "force "
       "over the pulse's.");
   verb.example("rigsound tool --length 0.5 --diameter 0.025 --out soundset --plot modes.svg");
+  verb.example("rigsound tool --from blow.wav --out soundset --json");
   verb.example(
       "rigsound tool --string --rods 6 --length 3.66 --diameter 0.038 --rock hard --plot string.svg");
   verb.callback([o, length, diameter] {

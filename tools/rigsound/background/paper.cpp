@@ -1,11 +1,9 @@
 #include "background/paper.hpp"
 
-#include <fmt/format.h>
-
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "endings.hpp"
+#include "figure_row.hpp"
 #include "read_recording.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/analysis/wave_file.hpp"
@@ -41,27 +39,22 @@ void model_note(const std::vector<std::string>& inputs, const std::string& resyn
   if (!resynth.empty())
     tell_clipped(resynth, analysis::write_wave(resynth, m.sound, static_cast<int>(analysis::kAnalysisRate)));
   std::FILE* const to = figures_beside({resynth});
-  if (json) {
-    const nlohmann::ordered_json figures = {{"f0_hz", m.f0},
-                                            {"channels", m.P},
-                                            {"steady_from_s", m.steady_from_s},
-                                            {"steady_to_s", m.steady_to_s},
-                                            {"periods", m.periods},
-                                            {"parameters", m.parameters},
-                                            {"ratio", m.ratio},
-                                            {"whole_ratio", m.whole_ratio},
-                                            {"at_harmonics_db", m.at_db},
-                                            {"near_harmonics_db", m.near_db},
-                                            {"between_harmonics_db", m.between_db}};
-    std::fprintf(to, "%s\n", figures.dump().c_str());
-    return;
-  }
-  std::fprintf(
-      to,
-      "f0=%.2f steady=%.2f..%.2f periods=%d parameters=%zu ratio=%.0f whole_ratio=%.1f at=%.2f near=%.2f "
-      "between=%.2f\n",
-      m.f0, m.steady_from_s, m.steady_to_s, m.periods, m.parameters, m.ratio, m.whole_ratio, m.at_db,
-      m.near_db, m.between_db);
+  FigureRow figures;
+  figures.add("f0_hz", m.f0, "{:.2f}")
+      .add_count("channels", static_cast<std::size_t>(m.P))
+      .add("steady_from_s", m.steady_from_s, "{:.2f}")
+      .add("steady_to_s", m.steady_to_s, "{:.2f}")
+      .add_count("periods", static_cast<std::size_t>(m.periods))
+      .add_count("parameters", m.parameters)
+      .add("ratio", m.ratio, "{:.0f}")
+      .add("whole_ratio", m.whole_ratio, "{:.1f}")
+      .add("at_harmonics_db", m.at_db, "{:.2f}")
+      .add("near_harmonics_db", m.near_db, "{:.2f}")
+      .add("between_harmonics_db", m.between_db, "{:.2f}");
+  if (json)
+    print_document(figures.json(), to);
+  else
+    std::fprintf(to, "%s\n", figures.words().c_str());
 }
 
 }  // namespace rigsound::tools

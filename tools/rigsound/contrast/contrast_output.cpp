@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+
+#include "figure_row.hpp"
 
 namespace rigsound::tools {
 namespace {
 
 using namespace analysis;
-using Json = nlohmann::ordered_json;
 
 void print_group(const char* title, const SubjectGroup& group) {
   if (group.pairs.empty()) return;
@@ -109,7 +109,7 @@ void print_contrast_json(const Contrast& c) {
   json["heard_from"] = {{"overfeed", reach_json(c, c.over, 1)}, {"underfeed", reach_json(c, c.under, -1)}};
   json["verdicts"] = contrast_verdicts(c);
   json["warnings"] = contrast_warnings(c);
-  fmt::print("{}\n", json.dump(2));
+  print_document(json);
 }
 
 }  // namespace rigsound::tools

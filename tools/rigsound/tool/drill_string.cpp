@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
+#include "figure_row.hpp"
 #include "rigsound/analysis/string_figures.hpp"
 #include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/config/tool_files.hpp"
@@ -16,7 +17,6 @@ namespace rigsound::tools {
 namespace {
 
 using analysis::ReflectionRow, analysis::StringFigures;
-using Json = nlohmann::ordered_json;
 
 struct Family {
   const char* name;  ///< in the output
@@ -36,50 +36,57 @@ std::filesystem::path rocks_of(const DrillStringOptions& o, const ToolOutput& ou
   return is_sound_set(output.sound_set) ? output.sound_set : "";
 }
 
+/// CSV has one table of both kinds of rows: a mode has nothing in the columns of a reflection, and the other
+/// way round.
+constexpr double kNone = NAN;
+
+FigureRow mode_row(const char* family, const StringMode& m) {
+  FigureRow row;
+  return row.add("family", family)
+      .add_count("mode", static_cast<std::size_t>(m.mode))
+      .add("target_hz", m.target_hz, "{:.3f}")
+      .add("model_hz", m.model_hz, "{:.3f}")
+      .add("error_cents", m.error_cents, "{:.4f}")
+      .add("t60_s", m.t60_s, "{:.6f}")
+      .add("t60_pressed_s", m.t60_pressed_s, "{:.6f}");
+}
+
+FigureRow reflection_row(const ReflectionRow& r) {
+  FigureRow row;
+  return row.add("pulse_s", r.pulse_s, "{:.9f}")
+      .add("x", r.x, "{:.6f}")
+      .add("target_share", r.target, "{:.6f}")
+      .add("model_share", r.reached.energy, "{:.6f}")
+      .add("force", r.reached.force, "{:.6f}");
+}
+
 void print_csv(const StringFigures& figures) {
-  std::string csv =
-      "family,mode,target_hz,model_hz,error_cents,t60_s,t60_pressed_s,pulse_s,x,target_share,model_share,"
-      "force\n";
+  const FigureRow no_reflection = reflection_row({kNone, kNone, kNone, {kNone, kNone}});
+  std::string csv = (mode_row("", {}) + no_reflection).csv_head();
   for (const Family& family : kFamilies)
-    for (const StringMode& m : figures.*family.modes)
-      csv += fmt::format("{},{},{:.3f},{:.3f},{:.4f},{:.6f},{:.6f},,,,,\n", family.name, m.mode, m.target_hz,
-                         m.model_hz, m.error_cents, m.t60_s, m.t60_pressed_s);
+    for (const StringMode& m : figures.*family.modes) csv += (mode_row(family.name, m) + no_reflection).csv();
   int row = 0;
-  for (const ReflectionRow& r : figures.reflection)
-    csv += fmt::format("reflection,{},,,,,,{:.9f},{:.6f},{:.6f},{:.6f},{:.6f}\n", ++row, r.pulse_s, r.x,
-                       r.target, r.reached.energy, r.reached.force);
+  for (const ReflectionRow& r : figures.reflection) {
+    StringMode none;
+    none.mode = ++row;
+    none.target_hz = none.model_hz = none.error_cents = none.t60_s = none.t60_pressed_s = kNone;
+    csv += (mode_row("reflection", none) + reflection_row(r)).csv();
+  }
   std::fputs(csv.c_str(), stdout);
 }
 
-Json modes_json(const char* family, const std::vector<StringMode>& modes) {
-  Json list = Json::array();
-  for (const StringMode& m : modes)
-    list.push_back({{"family", family},
-                    {"mode", m.mode},
-                    {"target_hz", m.target_hz},
-                    {"model_hz", m.model_hz},
-                    {"error_cents", m.error_cents},
-                    {"t60_s", m.t60_s},
-                    {"t60_pressed_s", m.t60_pressed_s}});
-  return list;
-}
-
 void print_json(const StringFigures& figures, const config::RockEntry& rock) {
-  Json json;
-  json["rock"] = {
-      {"name", rock.name}, {"stiffness_n_per_m", rock.stiffness}, {"loading_s", figures.loading_s}};
-  json["blow"] = {{"x", figures.blow_x}, {"model_share", figures.blow.energy}, {"force", figures.blow.force}};
-  json["modes"] = Json::array();
+  FigureRow stone, blow;
+  stone.add("name", rock.name).add("stiffness_n_per_m", rock.stiffness).add("loading_s", figures.loading_s);
+  blow.add("x", figures.blow_x).add("model_share", figures.blow.energy).add("force", figures.blow.force);
+  std::vector<FigureRow> modes, reflection;
   for (const Family& family : kFamilies)
-    for (Json& mode : modes_json(family.name, figures.*family.modes))
-      json["modes"].push_back(std::move(mode));
-  for (const ReflectionRow& r : figures.reflection)
-    json["reflection"].push_back({{"pulse_s", r.pulse_s},
-                                  {"x", r.x},
-                                  {"target_share", r.target},
-                                  {"model_share", r.reached.energy},
-                                  {"force", r.reached.force}});
-  fmt::print("{}\n", json.dump(2));
+    for (const StringMode& m : figures.*family.modes) modes.push_back(mode_row(family.name, m));
+  for (const ReflectionRow& r : figures.reflection) reflection.push_back(reflection_row(r));
+  print_document({{"rock", stone.json()},
+                  {"blow", blow.json()},
+                  {"modes", json_list(modes)},
+                  {"reflection", json_list(reflection)}});
 }
 
 /// "soft 5e+07, medium 2e+08, ... N/m"

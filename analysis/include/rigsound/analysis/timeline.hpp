@@ -9,9 +9,12 @@
 
 namespace rigsound::analysis {
 
+enum class TimelineTheme { kLight, kDark };
+
 struct TimelineOptions {
-  SceneOptions scene;               ///< thresholds of the feed pressure
-  std::string title;                ///< empty: the name of the sound file
+  SceneOptions scene;  ///< thresholds of the feed pressure
+  std::string title;   ///< empty: the name of the sound file
+  TimelineTheme theme = TimelineTheme::kLight;
   int width = 1600, height = 1000;  ///< pixels, kMinTimelineWidth and kMinTimelineHeight at least
 };
 

@@ -62,7 +62,8 @@ TEST_CASE("an SVG file holds its own colours for light, dark and print, and its 
   plot.line({0, 1}, {0, 1}, {Role::kFirst});
   plot.dot(0.5, 0.5, 3, Role::kThird, "hover <here>");
   plot.finish();
-  const std::string svg = canvas.document();
+  const std::string svg = canvas.document(plot.description());
+  CHECK(svg.find("aria-label=\"a &lt; b &amp; &quot;c&quot;: y over x\"") != std::string::npos);
   CHECK(svg.find("prefers-color-scheme: dark") != std::string::npos);
   CHECK(svg.find("@media print") != std::string::npos);
   CHECK(svg.find("a &lt; b &amp; &quot;c&quot;") != std::string::npos);

@@ -66,6 +66,20 @@ std::vector<int> edges(const PngFile& png, int row) {
 
 }  // namespace
 
+TEST_CASE("a dark picture has dark paper and the same situations") {
+  const Render render(kStates);
+  REQUIRE(render.complaint_of() == "");
+  const PngFile light = test::read_png(render.picture);
+  TimelineOptions options;
+  options.theme = TimelineTheme::kDark;
+  REQUIRE(render.complaint_of(options) == "");
+  const PngFile dark = test::read_png(render.picture);
+  CHECK(light.at(2, 2).red == 255);
+  CHECK(dark.at(2, 2).red < 40);
+  constexpr int kRow = 81;
+  for (const int x : {600, 1000}) CHECK(dark.at(x, kRow) == light.at(x, kRow));
+}
+
 TEST_CASE("the spans of the picture lie where the states change") {
   const Render render(kStates);
   REQUIRE(render.complaint_of() == "");

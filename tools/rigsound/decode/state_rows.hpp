@@ -5,15 +5,18 @@
 #include <string>
 #include <vector>
 
+#include "figure_row.hpp"
 #include "rigsound/config/rig.hpp"
 #include "rigsound/session/situation_trace.hpp"
 
 namespace rigsound::tools {
 
 /// Thread: OFF.
-class StateCsv {
+class StateRows {
  public:
-  explicit StateCsv(const config::Rig& rig);  ///< must outlive it
+  enum class Form { kCsv, kJson };
+
+  explicit StateRows(const config::Rig& rig);  ///< must outlive it
 
   void add(double time_s, const std::string& label, const std::string& value);
   /// `situation` and `feed_deviation` of a boom, when they have changed.
@@ -24,7 +27,8 @@ class StateCsv {
 
   /// "NAME" of the first boom, "BOOM.NAME" of another.
   std::string label(int boom, std::string_view name) const;
-  const std::string& text() const { return text_; }
+  /// All rows, as CSV or as one JSON document.
+  std::string text(Form form) const;
 
  private:
   void add_signals(double time_s, const MachineState& state);
@@ -34,7 +38,14 @@ class StateCsv {
   int booms() const { return static_cast<int>(rig_.engine.booms.size()); }
 
   const config::Rig& rig_;
-  std::string text_ = "time_s,signal,value\n";
+  struct Row {
+    double time_s;
+    std::string signal, value;
+  };
+
+  static FigureRow figures(const Row& row);
+
+  std::vector<Row> rows_;
   std::vector<session::SituationTrace> situations_;
   MachineState last_;
   std::string last_gain_ = "1";

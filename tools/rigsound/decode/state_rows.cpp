@@ -1,9 +1,9 @@
-#include "decode/state_csv.hpp"
+#include "decode/state_rows.hpp"
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
-#include <iterator>
 
 #include "rigsound/session/state_rows.hpp"
 
@@ -19,18 +19,37 @@ std::string value_text(Signal signal, double value) {
 
 }  // namespace
 
-StateCsv::StateCsv(const config::Rig& rig)
+StateRows::StateRows(const config::Rig& rig)
     : rig_(rig), situations_(rig.engine.booms.size(), session::SituationTrace(rig.engine.scene)) {}
 
-std::string StateCsv::label(int boom, std::string_view name) const {
+std::string StateRows::label(int boom, std::string_view name) const {
   return boom == 0 ? std::string(name) : fmt::format("{}.{}", rig_.engine.booms[boom].name, name);
 }
 
-void StateCsv::add(double time_s, const std::string& label, const std::string& value) {
-  fmt::format_to(std::back_inserter(text_), "{:.6f},{},{}\n", time_s, label, value);
+void StateRows::add(double time_s, const std::string& label, const std::string& value) {
+  rows_.push_back({time_s, label, value});
 }
 
-void StateCsv::add_situation(double time_s, int boom, const BoomState& state) {
+FigureRow StateRows::figures(const Row& row) {
+  FigureRow figures;
+  figures.add("time_s", row.time_s, "{:.6f}").add("signal", row.signal);
+  double number = 0;
+  const char *begin = row.value.data(), *end = begin + row.value.size();
+  const bool is_number = std::from_chars(begin, end, number).ptr == end;
+  return is_number ? figures.add_text("value", row.value, number) : figures.add("value", row.value);
+}
+
+std::string StateRows::text(Form form) const {
+  std::string csv = figures({}).csv_head(), list;
+  for (const Row& row : rows_)
+    if (form == Form::kCsv)
+      csv += figures(row).csv();
+    else
+      list += (list.empty() ? "" : ",\n") + figures(row).json().dump();
+  return form == Form::kCsv ? csv : "{\"changes\": [\n" + list + "\n]}\n";
+}
+
+void StateRows::add_situation(double time_s, int boom, const BoomState& state) {
   const session::SituationTrace::Change change = situations_[boom].update(state);
   if (change.situation)
     add(time_s, label(boom, session::kSituationRow), std::string(name(*change.situation)));
@@ -38,7 +57,7 @@ void StateCsv::add_situation(double time_s, int boom, const BoomState& state) {
     add(time_s, label(boom, session::kFeedDeviationRow), fmt::format("{:.2f}", *change.feed_deviation));
 }
 
-void StateCsv::add_state(double time_s, const MachineState& state) {
+void StateRows::add_state(double time_s, const MachineState& state) {
   add_signals(time_s, state);
   add_controls(time_s, state);
   add_output_gain(time_s, state);
@@ -47,7 +66,7 @@ void StateCsv::add_state(double time_s, const MachineState& state) {
   last_ = state;
 }
 
-void StateCsv::add_signals(double time_s, const MachineState& state) {
+void StateRows::add_signals(double time_s, const MachineState& state) {
   for_each_signal(booms(), [&](SignalId id) {
     const double value = info(id.signal).get(state, id.boom);
     if (value != info(id.signal).get(last_, id.boom))
@@ -55,7 +74,7 @@ void StateCsv::add_signals(double time_s, const MachineState& state) {
   });
 }
 
-void StateCsv::add_controls(double time_s, const MachineState& state) {
+void StateRows::add_controls(double time_s, const MachineState& state) {
   for (int b = 0; b < booms(); ++b)
     for (const ControlInfo& control : control_table()) {
       const float value = state.boom[b].controls.*control.field;
@@ -65,14 +84,14 @@ void StateCsv::add_controls(double time_s, const MachineState& state) {
 }
 
 // A fade would say every block, so hundredths.
-void StateCsv::add_output_gain(double time_s, const MachineState& state) {
+void StateRows::add_output_gain(double time_s, const MachineState& state) {
   const std::string gain =
       fmt::format("{:.2g}", std::round(static_cast<double>(state.output_gain) * 100) / 100);
   if (gain != last_gain_) add(time_s, std::string(session::kOutputGainRow), gain);
   last_gain_ = gain;
 }
 
-void StateCsv::add_by_hand(double time_s, const MachineState& state) {
+void StateRows::add_by_hand(double time_s, const MachineState& state) {
   std::string held;
   for_each_signal(booms(), [&](SignalId id) {
     if (is_by_hand(state, id)) held += (held.empty() ? "" : " ") + config::signal_label(rig_, id);
