@@ -19,7 +19,8 @@ void hand_on(int signal) {
   const auto number = static_cast<unsigned char>(signal);
   [[maybe_unused]] const ssize_t wrote = ::write(signal_pipe[1], &number, 1);
   // Who writes on into a pipe without a reader would complain of it until the end comes.
-  while (signal == SIGPIPE) ::pause();
+  if (signal == SIGPIPE)
+    for (;;) ::pause();
 }
 
 [[noreturn]] void end_by(int signal) {
