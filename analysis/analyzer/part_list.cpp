@@ -43,6 +43,8 @@ std::vector<fs::path> recordings_of(const std::vector<fs::path>& inputs) {
   for (const fs::path& input : inputs) {
     std::error_code none;
     if (!fs::is_directory(input, none)) {
+      if (input == "-" || (fs::exists(input, none) && fs::is_other(input, none)))
+        throw InputError(input.string(), "is a pipe, expected a file: its parts are read one by one");
       files.push_back(input);
       continue;
     }

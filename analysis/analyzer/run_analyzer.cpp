@@ -146,11 +146,9 @@ AnalyzerResult run_analyzer(const AnalyzerOptions& options, const AnalyzerListen
   require_apart({options.page}, config::content_of(options.sound_set));
   require_outside(options.sound_set / "banks", list.read);
   std::error_code error;
-  fs::create_directories(options.sound_set, error);
-  if (error) throw DeviceError(options.sound_set.string() + ": cannot be made: " + error.message());
   // A broken index is reported now and not after hours of work.
   if (fs::exists(options.sound_set / "soundset.toml", error)) config::load_index(options.sound_set);
-  RunLock running(options.sound_set);
+  const RunLock running(options.sound_set);
 
   std::vector<Task> tasks = tasks_of(list.parts, options);
   Announcer announcer(listener, static_cast<int>(tasks.size()));
@@ -171,10 +169,7 @@ AnalyzerResult run_analyzer(const AnalyzerOptions& options, const AnalyzerListen
       result.failures.push_back(task.failure);
   }
   lint_series(result.banks);
-  if (!result.banks.empty())
-    merge(result.banks, options, result.notes);
-  else
-    running.remove_if_alone();
+  if (!result.banks.empty()) merge(result.banks, options, result.notes);
   return result;
 }
 

@@ -1,13 +1,11 @@
 #include "analyzer/run_lock.hpp"
 
-#include <iterator>
+#include "rigsound/device_error.hpp"
 
 namespace rigsound::analysis {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr const char* kRunLock = ".run.lock";
 
 /// Banks are filled under a name with a leading dot and renamed when they are whole.
 void remove_unfinished(const fs::path& banks) {
@@ -18,17 +16,25 @@ void remove_unfinished(const fs::path& banks) {
 
 }  // namespace
 
-RunLock::RunLock(const fs::path& sound_set) : sound_set_(sound_set), lock_(sound_set / kRunLock) {
-  if (lock_.try_exclusive()) remove_unfinished(sound_set / "banks");
-  lock_.wait_shared();
+MadeFolder::MadeFolder(const fs::path& folder)
+    : folder_(folder), unfinished_([this] {
+        std::error_code error;
+        made_ = fs::create_directories(folder_, error);
+        if (error) throw DeviceError(folder_.string() + ": cannot be made: " + error.message());
+        return [this] { remove_if_empty(); };
+      }) {}
+MadeFolder::~MadeFolder() { remove_if_empty(); }
+
+void MadeFolder::remove_if_empty() const {
+  std::error_code error;  // of a folder that is not empty
+  if (!made_) return;
+  fs::remove(folder_ / "banks", error);
+  fs::remove(folder_, error);
 }
 
-void RunLock::remove_if_alone() {
-  std::error_code error;
-  const fs::directory_iterator inside(sound_set_, error);
-  if (std::distance(begin(inside), end(inside)) != 1 || !lock_.try_exclusive()) return;
-  fs::remove(sound_set_ / kRunLock, error);
-  fs::remove(sound_set_, error);
+RunLock::RunLock(const fs::path& sound_set) : folder_(sound_set), lock_(sound_set / ".run.lock") {
+  if (lock_.try_exclusive()) remove_unfinished(sound_set / "banks");
+  lock_.wait_shared();
 }
 
 }  // namespace rigsound::analysis

@@ -10,6 +10,7 @@
 #include "recording/clipping.hpp"
 #include "recording/resample.hpp"
 #include "rigsound/analysis/rate.hpp"
+#include "rigsound/file/input_file.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
@@ -17,22 +18,24 @@ namespace {
 
 using Sound = std::unique_ptr<SNDFILE, decltype(&sf_close)>;
 
-Sound open(const std::filesystem::path& path, SF_INFO& info) {
+/// What to read the recording from, a pipe too.
+InputFile input_of(const std::filesystem::path& path) {
   std::error_code none;
-  if (!std::filesystem::exists(path, none))
+  if (path != "-" && !std::filesystem::exists(path, none))
     throw InputError(path.string(), "no such file, expected a recording");
-  if (std::filesystem::is_directory(path, none))
-    throw InputError(path.string(), "is a folder, expected a recording");
-  Sound sound(sf_open(path.c_str(), SFM_READ, &info), &sf_close);
+  return {path, "recording"};
+}
+
+Sound open(const InputFile& input, SF_INFO& info) {
+  Sound sound(sf_open(input.path().c_str(), SFM_READ, &info), &sf_close);
   if (!sound)
-    throw InputError(path.string(),
+    throw InputError(input.name(),
                      fmt::format("not a sound file ({}), expected WAV, FLAC or another format of libsndfile",
                                  sf_strerror(nullptr)));
   return sound;
 }
 
-void check_format(const std::filesystem::path& path, const SF_INFO& info) {
-  const std::string file = path.string();
+void check_format(const std::string& file, const SF_INFO& info) {
   if (info.samplerate < kMinSourceRate)
     throw InputError(
         file, fmt::format("sample rate {} Hz, expected {} Hz or more", info.samplerate, kMinSourceRate));
@@ -75,12 +78,12 @@ std::vector<float> read_mixed_down(SNDFILE* sound, int channels, const Frames& f
   return mono;
 }
 
-void check_samples(const std::filesystem::path& path, const std::vector<float>& mono, sf_count_t begin,
+void check_samples(const std::string& file, const std::vector<float>& mono, sf_count_t begin,
                    int rate) {
   const auto bad = std::find_if(mono.begin(), mono.end(), [](float x) { return !std::isfinite(x); });
   if (bad != mono.end()) {
     const auto at = begin + (bad - mono.begin());
-    throw InputError(path.string(),
+    throw InputError(file,
                      fmt::format("sample {} ({:.3f} s) is not a number, expected finite samples", at,
                                  static_cast<double>(at) / rate));
   }
@@ -93,20 +96,21 @@ bool is_silent(const std::vector<float>& mono) {
 
 Recording read_stretch(const std::filesystem::path& path, const Stretch& stretch) {
   SF_INFO info{};
-  const Sound sound = open(path, info);
-  check_format(path, info);
+  const InputFile input = input_of(path);
+  const Sound sound = open(input, info);
+  check_format(input.name(), info);
   const Frames frames = frames_of(stretch, info);
   const double seconds = static_cast<double>(frames.end - frames.begin) / info.samplerate;
   if (seconds < kMinRecordingSeconds)
-    throw InputError(path.string(),
+    throw InputError(input.name(),
                      fmt::format("the stretch from {:.3f} s is {:.3f} s long, expected {} s or more",
                                  stretch.start_s, std::max(seconds, 0.0), kMinRecordingSeconds));
   const std::vector<float> mono = read_mixed_down(sound.get(), info.channels, frames);
   if (static_cast<double>(mono.size()) < kMinRecordingSeconds * info.samplerate)
-    throw InputError(path.string(),
+    throw InputError(input.name(),
                      fmt::format("cut off after {} of {} frames, expected the whole file",
                                  frames.begin + static_cast<sf_count_t>(mono.size()), info.frames));
-  check_samples(path, mono, frames.begin, info.samplerate);
+  check_samples(input.name(), mono, frames.begin, info.samplerate);
   return {resample(mono, info.samplerate, static_cast<int>(kAnalysisRate)),
           info.samplerate,
           info.channels,
@@ -134,8 +138,9 @@ std::string mix_down_note(const std::filesystem::path& path, const Recording& re
 
 double recording_seconds(const std::filesystem::path& path) {
   SF_INFO info{};
-  const Sound sound = open(path, info);
-  check_format(path, info);
+  const InputFile input = input_of(path);
+  const Sound sound = open(input, info);
+  check_format(input.name(), info);
   return static_cast<double>(info.frames) / info.samplerate;
 }
 

@@ -4,11 +4,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <fstream>
 #include <string>
 
 #include "file/flush.hpp"
+#include "rigsound/file/file_descriptor.hpp"
 
 namespace rigsound {
 namespace fs = std::filesystem;
@@ -16,34 +18,67 @@ namespace fs = std::filesystem;
 using file::fail;
 using file::flush_to_disk;
 
-AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
-  // Renaming over a device such as /dev/null would remove it from the machine.
+namespace {
+
+/// Renaming over a device such as /dev/null would remove it from the machine.
+bool cannot_be_replaced(const fs::path& target) {
   std::error_code none;
-  if (fs::exists(target_, none) && !fs::is_regular_file(target_, none))
-    fail(target_, "is no regular file and cannot be replaced",
-         fs::is_directory(target_, none) ? EISDIR : ENOTSUP);
-  const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
-  std::string name = (folder / ("." + target_.stem().string() + ".XXXXXX")).string();
-  const std::string extension = target_.extension().string();
-  name += extension;
-  const int fd = ::mkstemps(name.data(), static_cast<int>(extension.size()));
-  if (fd < 0) fail(target_, "cannot be written", errno);
-  ::fchmod(fd, 0644);
-  ::close(fd);
-  temporary_ = name;
+  const std::string name = target.string();
+  return is_standard_output(target) || name.rfind("/dev/fd/", 0) == 0 || name.rfind("/proc/", 0) == 0 ||
+         (fs::exists(target, none) && fs::is_other(target, none));
+}
+
+void copy_into(const fs::path& target, const fs::path& from) {
+  const FileDescriptor in(::open(from.c_str(), O_RDONLY | O_CLOEXEC));
+  const FileDescriptor out(is_standard_output(target) ? ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3)
+                                                      : ::open(target.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!in || !out) fail(target, "cannot be written", errno);
+  std::array<char, 1 << 16> bytes;
+  for (ssize_t got; (got = ::read(in.get(), bytes.data(), bytes.size())) > 0;)
+    for (ssize_t done = 0; done < got;) {
+      const ssize_t wrote = ::write(out.get(), bytes.data() + done, static_cast<std::size_t>(got - done));
+      if (wrote < 0 && errno != EINTR) fail(target, "cannot be written", errno);
+      if (wrote > 0) done += wrote;
+    }
+}
+
+}  // namespace
+
+bool is_standard_output(const fs::path& target) {
+  for (const char* name : {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"})
+    if (target == name) return true;
+  return false;
+}
+
+AtomicFile::AtomicFile(fs::path target)
+    : target_(std::move(target)), place_(file::behind_links(target_)), copied_(cannot_be_replaced(target_)) {
+  std::error_code none;
+  if (fs::is_directory(target_, none)) fail(target_, "is a folder and cannot be replaced", EISDIR);
+  const fs::path beside = place_.has_parent_path() ? place_.parent_path() : fs::path(".");
+  const fs::path folder = copied_ ? fs::temp_directory_path() : beside;
+  const std::string extension = place_.extension().string();
+  std::string name = (folder / ("." + place_.stem().string() + ".XXXXXX" + extension)).string();
+  unfinished_ = std::make_unique<Unfinished>([&] {
+    const int fd = ::mkstemps(name.data(), static_cast<int>(extension.size()));
+    if (fd < 0) fail(target_, "cannot be written", errno);
+    ::fchmod(fd, 0644);
+    ::close(fd);
+    temporary_ = name;
+    return [name] { ::unlink(name.c_str()); };
+  });
 }
 
 AtomicFile::~AtomicFile() {
-  std::error_code ignored;
-  if (!committed_) fs::remove(temporary_, ignored);
+  if (unfinished_) ::unlink(temporary_.c_str());
 }
 
 void AtomicFile::commit() {
+  if (copied_) return copy_into(target_, temporary_);
   flush_to_disk(temporary_);
   std::error_code error;
-  fs::rename(temporary_, target_, error);
+  fs::rename(temporary_, place_, error);
   if (error) fail(target_, "cannot be put in place", error.value());
-  committed_ = true;
+  unfinished_.reset();
 }
 
 void write_file(const fs::path& target, std::string_view text) {

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -11,21 +12,40 @@
 namespace rigsound {
 namespace {
 
-void wait(int fd, int operation) {
-  while (::flock(fd, operation) != 0 && errno == EINTR) {
-  }
+FileDescriptor open_lock(const std::filesystem::path& file) {
+  FileDescriptor fd(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
+  if (!fd) rigsound::file::fail(file, "cannot be written", errno);
+  return fd;
 }
 
 }  // namespace
 
 FileLock::FileLock(const std::filesystem::path& file)
-    : fd_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
-  if (fd_ < 0) rigsound::file::fail(file, "cannot be written", errno);
-}
-FileLock::~FileLock() { ::close(fd_); }
+    : file_(file), fd_(open_lock(file)), unfinished_([this] { return [this] { remove_if_free(); }; }) {}
+FileLock::~FileLock() { remove_if_free(); }
 
-void FileLock::wait_exclusive() { wait(fd_, LOCK_EX); }
-void FileLock::wait_shared() { wait(fd_, LOCK_SH); }
-bool FileLock::try_exclusive() { return ::flock(fd_, LOCK_EX | LOCK_NB) == 0; }
+void FileLock::wait_exclusive() { lock(LOCK_EX); }
+void FileLock::wait_shared() { lock(LOCK_SH); }
+bool FileLock::try_exclusive() { return lock(LOCK_EX | LOCK_NB); }
+
+/// Once more when the file was removed, by its last holder, before it was ours.
+bool FileLock::lock(int operation) {
+  for (;;) {
+    while (::flock(fd_.get(), operation) != 0)
+      if (errno != EINTR) return false;
+    if (is_the_file()) return true;
+    fd_ = open_lock(file_);
+  }
+}
+
+bool FileLock::is_the_file() const {
+  struct stat ours {}, named {};
+  return ::fstat(fd_.get(), &ours) == 0 && ::stat(file_.c_str(), &named) == 0 && ours.st_dev == named.st_dev &&
+         ours.st_ino == named.st_ino;
+}
+
+void FileLock::remove_if_free() const {
+  if (::flock(fd_.get(), LOCK_EX | LOCK_NB) == 0 && is_the_file()) ::unlink(file_.c_str());
+}
 
 }  // namespace rigsound

@@ -23,4 +23,11 @@ void flush_to_disk(const std::filesystem::path& path) {
   if (synced != 0) fail(path, "cannot be flushed to disk", error);
 }
 
+std::filesystem::path behind_links(const std::filesystem::path& target) {
+  std::error_code error;
+  if (!std::filesystem::is_symlink(target, error)) return target;
+  const std::filesystem::path place = std::filesystem::weakly_canonical(target, error);
+  return error ? target : place;
+}
+
 }  // namespace rigsound::file

@@ -11,4 +11,7 @@ namespace rigsound::file {
 /// Returns when the file's content is on the disk. Errors: DeviceError. Thread: OFF, CT.
 void flush_to_disk(const std::filesystem::path& path);
 
+/// The file or folder that a link leads to, there or not; anything else as it is. Thread: OFF, CT.
+std::filesystem::path behind_links(const std::filesystem::path& target);
+
 }  // namespace rigsound::file

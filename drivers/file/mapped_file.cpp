@@ -20,6 +20,8 @@ MappedFile::MappedFile(const std::filesystem::path& file) {
   const FileDescriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
   struct stat status {};
   if (!descriptor || ::fstat(descriptor.get(), &status) != 0) fail();
+  if (!S_ISREG(status.st_mode))
+    throw InputError(file.string(), "is no regular file, expected one on disk: it is read in any order");
   size_ = static_cast<std::size_t>(status.st_size);
   if (size_ == 0) return;
   data_ = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, descriptor.get(), 0);

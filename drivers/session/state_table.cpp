@@ -6,6 +6,7 @@
 #include <fstream>
 #include <optional>
 
+#include "rigsound/file/input_file.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "rigsound/machine/limits.hpp"
 #include "rigsound/session/state_rows.hpp"
@@ -89,10 +90,10 @@ bool StateTable::holds(SignalId id) const {
 }
 
 StateTable read_states(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in || !std::filesystem::is_regular_file(file)) throw InputError(file.string(), "cannot be read");
+  const InputFile input(file, "CSV " + kHeading);
+  std::ifstream in(input.path());
   StateTable table{{""}, {}};
-  Line line{file.string(), 0};
+  Line line{input.name(), 0};
   for (std::string text; std::getline(in, text);) {
     ++line.number;
     if (!text.empty() && text.back() == '\r') text.pop_back();
@@ -108,7 +109,7 @@ StateTable read_states(const std::filesystem::path& file) {
       line.fail("time_s", "falls back, expected ascending times");
     table.changes.push_back(*change);
   }
-  if (table.changes.empty()) throw InputError(file.string(), "holds no row, expected at least one");
+  if (table.changes.empty()) throw InputError(input.name(), "holds no row, expected at least one");
   return table;
 }
 

@@ -11,6 +11,7 @@
 #include "rigsound/analysis/report.hpp"
 #include "rigsound/file/atomic_file.hpp"
 #include "shard.hpp"
+#include "standard_output.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -56,6 +57,7 @@ void print_bank(const AnalysedPart& p) {
 
 void analyze(const AnalyzeArguments& a) {
   const AnalyzerOptions options = options_of(a);
+  require_file("--report", a.report);
   if (!a.report.empty()) AtomicFile(a.report);  // a page that cannot be written is told before the work
   AnalyzerResult result;
   {

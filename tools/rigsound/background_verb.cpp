@@ -12,6 +12,7 @@
 #include "rigsound/config/sound_set_files.hpp"
 #include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/file/read_files.hpp"
+#include "standard_output.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -41,7 +42,8 @@ void learn_and_save(const BackgroundOptions& o) {
   if (!o.out.empty()) save(o.out, learned.model);
   if (!o.resynthesis.file.empty()) write_resynthesis(o.resynthesis, learned.model);
   if (!o.plot.empty()) analysis::write_background_plot(o.plot, takes, learned.model);
-  std::printf("%s\n", (o.json ? figures_json(learned, o.out) : figures_line(learned)).c_str());
+  std::fprintf(figures_beside({o.plot, o.resynthesis.file}), "%s\n",
+               (o.json ? figures_json(learned, o.out) : figures_line(learned)).c_str());
 }
 
 /// What the verb reads: recordings, tracks of the speed, clicks to keep out.

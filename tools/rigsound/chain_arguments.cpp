@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <thread>
 
 #include "progress_bar.hpp"
 #include "read_recording.hpp"
+#include "rigsound/file/atomic_folder.hpp"
 #include "rigsound/file/read_files.hpp"
 
 namespace rigsound::tools {
@@ -44,13 +46,17 @@ ChainResult run_chain(const Recording& recording, const ChainArguments& argument
     return nothing;
   }
   ProgressBar bar;
+  std::optional<AtomicFolder> dump;
+  if (!arguments.dump.empty()) dump.emplace(arguments.dump);
   ChainOptions options;
   options.method = arguments.method == "paper" ? Method::kPaper : Method::kClickNmf;
   options.denoise = denoising == Denoising::kOn;
-  options.dump = arguments.dump;
+  if (dump) options.dump = dump->temporary();
   options.jobs = arguments.jobs;
   options.progress = [&bar](int done, int total) { bar.show(done, total); };
-  return analysis::run_chain(recording.mono, options);
+  ChainResult result = analysis::run_chain(recording.mono, options);
+  if (dump) dump->join();
+  return result;
 }
 
 void report_nothing_found(const ChainArguments& arguments, const ChainResult& result) {

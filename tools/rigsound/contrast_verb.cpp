@@ -13,6 +13,7 @@
 #include "rigsound/file/atomic_file.hpp"
 #include "rigsound/file/read_files.hpp"
 #include "rigsound/machine/signal.hpp"
+#include "standard_output.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -41,6 +42,7 @@ std::size_t boom_of(const config::Rig& rig, const std::string& wanted) {
 void contrast(const ContrastArguments& o) {
   const config::Rig rig = config::load_rig(o.rig);
   const std::size_t boom = boom_of(rig, o.boom);
+  require_file("--report", o.report);
   require_apart({o.report}, config::files_of(rig));
   if (!o.report.empty()) AtomicFile(o.report);  // a page that cannot be written is told before the work
   const ContrastRig played = contrast_rig(rig, boom, o.engine_rpm);

@@ -8,6 +8,7 @@
 #include "rigsound/config/sound_set_files.hpp"
 #include "rigsound/file/atomic_file.hpp"
 #include "rigsound/file/read_files.hpp"
+#include "standard_output.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -35,7 +36,7 @@ void pack(const PackOptions& o) {
   if (!o.rig.empty()) set.rig = packed_rig(o.rig, o.sound_set, set.parts, o.out);
   const std::string bytes = config::packed(set);
   write_file(o.out, bytes);
-  fmt::print("{} banks={} tools={} backgrounds={} rig={} bytes={}\n", o.out, set.parts.banks.size(),
+  fmt::print(figures_beside({o.out}), "{} banks={} tools={} backgrounds={} rig={} bytes={}\n", o.out, set.parts.banks.size(),
              set.parts.tools.size() + set.parts.strings.size(), set.parts.diesels.size(),
              set.rig ? "yes" : "no", bytes.size());
 }

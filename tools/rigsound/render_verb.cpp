@@ -17,6 +17,7 @@
 #include "rigsound/session/session_states.hpp"
 #include "rigsound/session/table_states.hpp"
 #include "sha256.hpp"
+#include "standard_output.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -55,8 +56,9 @@ void render(config::Rig& rig, audio::StateSource& states, audio::SampleFormat sa
     throw cli::UsageError("--from",
                           fmt::format("{:g} s is after the end at {:.3f} s", options.from_s, length_s));
   file.commit();
-  if (!options.no_hash) fmt::print("sha256 {}\n", digest.hex());
-  fmt::print("realtime_factor {:.2f}\n", length_s / spent.count());
+  std::FILE* const figures = figures_beside({options.out});
+  if (!options.no_hash) fmt::print(figures, "sha256 {}\n", digest.hex());
+  fmt::print(figures, "realtime_factor {:.2f}\n", length_s / spent.count());
   if (built_in_diesel)
     fmt::print(stderr, "{}: no background model in the sound set; using the built-in diesel\n",
                rig.sound_set.string());
@@ -134,7 +136,8 @@ void add_render(cli::Verb& program) {
       "sound per "
       "second of rendering. Everything a frame or a row says acts from the next block on; the sound ends "
       "with the last "
-      "one. With --from and --to OUT holds the very samples of that part of the whole.");
+      "one. With --from and --to OUT holds the very samples of that part of the whole. With `--out -` the sound goes to "
+      "standard output and the figures to stderr.");
   verb.example("rigsound render config/rigs/demo.toml --log config/logs/shift.log --out out/demo.wav");
 }
 

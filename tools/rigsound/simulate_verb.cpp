@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "rigsound/analysis/simulate.hpp"
+#include "rigsound/file/atomic_folder.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -48,24 +50,26 @@ std::vector<int> rod_counts(const std::string& text) {
   return counts;
 }
 
-std::vector<std::string> situations(const SimulateOptions& o) {
+std::vector<std::string> situations(const SimulateOptions& o, const std::filesystem::path& folder) {
   const double seconds = o.seconds > 0 ? o.seconds : kRecordingSeconds;
   const std::vector<int> counts = o.rods.empty() ? std::vector<int>() : rod_counts(o.rods);
-  std::vector<std::string> lines = analysis::write_situations(o.folder, o.seed, seconds);
+  std::vector<std::string> lines = analysis::write_situations(folder, o.seed, seconds);
   const auto add = [&lines](const std::vector<std::string>& more) {
     lines.insert(lines.end(), more.begin(), more.end());
   };
-  if (!counts.empty()) add(analysis::write_rods(o.folder, o.seed, counts, seconds));
-  if (o.ramp_seconds > 0) add(analysis::write_feed_ramp(o.folder, o.seed, o.ramp_seconds));
+  if (!counts.empty()) add(analysis::write_rods(folder, o.seed, counts, seconds));
+  if (o.ramp_seconds > 0) add(analysis::write_feed_ramp(folder, o.seed, o.ramp_seconds));
   return lines;
 }
 
 void simulate(const SimulateOptions& o) {
+  AtomicFolder folder(o.folder);  // all recordings or none
   const std::vector<std::string> lines =
-      o.ids.empty()
-          ? situations(o)
-          : analysis::write_drillbench(o.folder, {expand("--ids", o.ids), o.snr_db,
+      o.ids.empty() ? situations(o, folder.temporary())
+                    : analysis::write_drillbench(folder.temporary(),
+                                                 {expand("--ids", o.ids), o.snr_db,
                                                   o.seconds > 0 ? o.seconds : kClipSeconds, o.rate_factor});
+  folder.join();
   for (const std::string& line : lines) std::printf("%s\n", line.c_str());
 }
 

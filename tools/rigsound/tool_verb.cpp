@@ -14,6 +14,7 @@
 #include "rigsound/config/tool_files.hpp"
 #include "rigsound/file/atomic_file.hpp"
 #include "rigsound/file/read_files.hpp"
+#include "standard_output.hpp"
 #include "tool/drill_string.hpp"
 #include "verbs.hpp"
 
@@ -128,6 +129,7 @@ void design_bar(const ToolOptions& o) {
 }
 
 void run(const ToolOptions& o) {
+  require_file("--plot", o.plot);
   require_apart({o.plot}, {o.recording});
   for (const std::string& sound_set : {o.sound_set, o.drill_string.rocks_of})
     require_apart({o.plot}, config::content_of(sound_set));

@@ -8,6 +8,7 @@
 #include "read_recording.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/analysis/wave_file.hpp"
+#include "standard_output.hpp"
 
 namespace rigsound::tools {
 
@@ -37,6 +38,7 @@ void model_note(const std::vector<std::string>& inputs, const std::string& resyn
   const analysis::NoteModel m = analysis::model_note(
       inputs.front(), read_whole(inputs.front(), "note").mono, settings);
   if (!resynth.empty()) analysis::write_wave(resynth, m.sound, static_cast<int>(analysis::kAnalysisRate));
+  std::FILE* const to = figures_beside({resynth});
   if (json) {
     const nlohmann::ordered_json figures = {{"f0_hz", m.f0},
                                             {"channels", m.P},
@@ -49,10 +51,11 @@ void model_note(const std::vector<std::string>& inputs, const std::string& resyn
                                             {"at_harmonics_db", m.at_db},
                                             {"near_harmonics_db", m.near_db},
                                             {"between_harmonics_db", m.between_db}};
-    std::printf("%s\n", figures.dump().c_str());
+    std::fprintf(to, "%s\n", figures.dump().c_str());
     return;
   }
-  std::printf(
+  std::fprintf(
+      to,
       "f0=%.2f steady=%.2f..%.2f periods=%d parameters=%zu ratio=%.0f whole_ratio=%.1f at=%.2f near=%.2f "
       "between=%.2f\n",
       m.f0, m.steady_from_s, m.steady_to_s, m.periods, m.parameters, m.ratio, m.whole_ratio, m.at_db,

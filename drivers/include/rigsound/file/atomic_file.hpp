@@ -2,14 +2,21 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string_view>
+
+#include "rigsound/file/unfinished.hpp"
 
 namespace rigsound {
 
-/// Reserves a temporary name beside `target` (same folder, so that the rename is atomic). Unless
-/// commit() was called the temporary is removed on destruction and `target` stays as it was.
-/// Errors: DeviceError when the folder cannot be written or `target` is a folder, a device or a pipe. Thread:
-/// OFF, CT.
+/// Whether a name means standard output: `-`, or what the system calls it. Thread: any.
+bool is_standard_output(const std::filesystem::path& target);
+
+/// Reserves a temporary name beside `target` (same folder, so that the rename is atomic), or beside the file that
+/// a link of that name leads to. Unless commit() was called the temporary is removed on destruction, or when a
+/// signal ends the program, and `target` stays as it was. Standard output, a pipe and a device are not replaced:
+/// the whole content is copied into them.
+/// Errors: DeviceError when the folder cannot be written or `target` is a folder. Thread: OFF, CT.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path target);
@@ -26,8 +33,9 @@ class AtomicFile {
   void commit();
 
  private:
-  std::filesystem::path target_, temporary_;
-  bool committed_ = false;
+  std::filesystem::path target_, place_, temporary_;  // place_: the target behind links
+  bool copied_;                                       // into what cannot be replaced
+  std::unique_ptr<Unfinished> unfinished_;
 };
 
 /// Writes `text` as the whole of `target`, atomically.

@@ -2,15 +2,18 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
+
+#include "rigsound/file/unfinished.hpp"
 
 namespace rigsound {
 
-/// Makes a temporary folder beside `target`, and the parents of both. Unless commit() was called the
-/// temporary is removed on destruction and `target` stays as it was.
+/// Makes a temporary folder beside `target`, and the parents of both. Unless commit() or join() was called the
+/// temporary is removed on destruction, or when a signal ends the program, and `target` stays as it was.
 /// Errors: DeviceError when the folder cannot be written. Thread: OFF, CT.
 class AtomicFolder {
  public:
-  explicit AtomicFolder(std::filesystem::path target);
+  explicit AtomicFolder(const std::filesystem::path& target);
   ~AtomicFolder();
   AtomicFolder(const AtomicFolder&) = delete;
   AtomicFolder& operator=(const AtomicFolder&) = delete;
@@ -21,8 +24,12 @@ class AtomicFolder {
   /// Flushes every file to disk and puts the folder in place of the target, old content and all.
   void commit();
 
+  /// Flushes every file to disk and moves it into the target, which keeps what else is in it.
+  void join();
+
  private:
   std::filesystem::path target_, temporary_;
+  std::unique_ptr<Unfinished> unfinished_;
 };
 
 }  // namespace rigsound

@@ -3,10 +3,13 @@
 
 #include <filesystem>
 
+#include "rigsound/file/file_descriptor.hpp"
+#include "rigsound/file/unfinished.hpp"
+
 namespace rigsound {
 
-/// A lock on a file that is made for it and stays. It ends with the object or the process, kill -9 too.
-/// Errors: DeviceError when the file cannot be written. Thread: OFF, CT.
+/// A lock on a file that is made for it and goes with the last that holds it. It ends with the object or the
+/// process, kill -9 too. Errors: DeviceError when the file cannot be written. Thread: OFF, CT.
 class FileLock {
  public:
   explicit FileLock(const std::filesystem::path& file);
@@ -19,7 +22,13 @@ class FileLock {
   [[nodiscard]] bool try_exclusive();
 
  private:
-  int fd_;
+  bool lock(int operation);
+  bool is_the_file() const;
+  void remove_if_free() const;
+
+  std::filesystem::path file_;
+  FileDescriptor fd_;
+  Unfinished unfinished_;
 };
 
 }  // namespace rigsound

@@ -5,24 +5,24 @@
 #include <string>
 
 #include "rigsound/file/file_descriptor.hpp"
+#include "rigsound/file/input_file.hpp"
 
 namespace rigsound::log {
 
-/// A regular file is read where it lies. Standard input (`-`), a pipe, and what gzip packed, are first
-/// copied, unpacked, into a temporary file without a name. Thread: OFF.
+/// An InputFile; what gzip packed is first unpacked into a temporary file without a name. Thread: OFF.
 class LogFile {
  public:
   /// Errors: InputError for what cannot be opened, is a folder or is damaged; DeviceError when there is no
   /// room.
   explicit LogFile(const std::filesystem::path& file);
 
-  const std::string& name() const { return name_; }            ///< for messages
+  const std::string& name() const { return file_.name(); }     ///< for messages
   const std::filesystem::path& path() const { return path_; }  ///< to be opened while this lives
 
  private:
-  std::string name_;
+  InputFile file_;
   std::filesystem::path path_;
-  FileDescriptor copy_;
+  FileDescriptor unpacked_;
 };
 
 }  // namespace rigsound::log

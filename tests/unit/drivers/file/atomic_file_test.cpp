@@ -5,6 +5,8 @@
 
 #include <fstream>
 #include <iterator>
+#include <string>
+#include <thread>
 
 #include "rigsound/device_error.hpp"
 
@@ -37,15 +39,41 @@ TEST_CASE("a committed file holds the text and leaves no temporary") {
   CHECK(folder.files() == 1);
 }
 
-TEST_CASE("only a regular file is replaced: no device, no folder") {
+TEST_CASE("a folder is not replaced, a device stays one") {
   Folder folder;
   fs::create_directories(folder.path / "inside");
-  REQUIRE(::mkfifo((folder.path / "pipe").c_str(), 0600) == 0);
-  for (const char* name : {"inside", "pipe"})
-    CHECK_THROWS_WITH_AS(write_file(folder.path / name, "x"), doctest::Contains("no regular file"),
-                         DeviceError);
-  CHECK(fs::is_fifo(folder.path / "pipe"));
-  CHECK(folder.files() == 2);
+  CHECK_THROWS_WITH_AS(write_file(folder.path / "inside", "x"), doctest::Contains("is a folder"), DeviceError);
+  write_file("/dev/null", "x");
+  CHECK(fs::is_character_file("/dev/null"));
+  CHECK_THROWS_WITH_AS(write_file("/dev/full", "x"), doctest::Contains("No space left"), DeviceError);
+  CHECK(folder.files() == 1);
+}
+
+TEST_CASE("a pipe gets the whole content, of a file that could be written in any order") {
+  Folder folder;
+  const fs::path pipe = folder.path / "pipe.wav";
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  std::string got;
+  std::thread reader([&] { got = content(pipe); });
+  const std::string text(300000, 'x');
+  write_file(pipe, text);
+  reader.join();
+  CHECK(got == text);
+  CHECK(fs::is_fifo(pipe));
+  CHECK(folder.files() == 1);
+}
+
+TEST_CASE("a link stays, and what it leads to is replaced") {
+  Folder folder;
+  fs::create_directories(folder.path / "other");
+  write_file(folder.path / "other/a.txt", "old");
+  fs::create_symlink("other/a.txt", folder.path / "link.txt");
+  fs::create_symlink("other/new.txt", folder.path / "dangling.txt");
+  write_file(folder.path / "link.txt", "new");
+  write_file(folder.path / "dangling.txt", "made");
+  CHECK(fs::is_symlink(folder.path / "link.txt"));
+  CHECK(content(folder.path / "other/a.txt") == "new");
+  CHECK(content(folder.path / "other/new.txt") == "made");
 }
 
 TEST_CASE("a file that was not committed leaves the old one as it was") {

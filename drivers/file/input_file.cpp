@@ -1,0 +1,46 @@
+#include "rigsound/file/input_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include "file/nameless_file.hpp"
+#include "rigsound/machine/input_error.hpp"
+
+namespace rigsound {
+namespace {
+
+FileDescriptor copy_of_pipe(const FileDescriptor& from, const std::string& name) {
+  FileDescriptor out = file::nameless_file();
+  std::array<char, 1 << 16> buffer;
+  for (;;) {
+    const ssize_t got = ::read(from.get(), buffer.data(), buffer.size());
+    if (got == 0) return out;
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw InputError(name, std::string("cannot be read: ") + std::strerror(errno));
+    file::write_all(out.get(), buffer.data(), static_cast<std::size_t>(got));
+  }
+}
+
+}  // namespace
+
+InputFile::InputFile(const std::filesystem::path& file, std::string_view kind)
+    : name_(file.string()), path_(file) {
+  const bool standard_input = name_ == "-";
+  if (standard_input) name_ = "standard input";
+  const FileDescriptor fd(standard_input ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3)
+                                         : ::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!fd) throw InputError(name_, "cannot be opened, expected a readable " + std::string(kind));
+  struct stat status {};
+  const bool known = ::fstat(fd.get(), &status) == 0;
+  if (known && S_ISDIR(status.st_mode)) throw InputError(name_, "is a folder, expected a " + std::string(kind));
+  if (!standard_input && known && S_ISREG(status.st_mode)) return;
+  copy_ = copy_of_pipe(fd, name_);
+  path_ = "/proc/self/fd/" + std::to_string(copy_.get());
+}
+
+}  // namespace rigsound

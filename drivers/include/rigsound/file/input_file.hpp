@@ -1,0 +1,29 @@
+// An input as a file that can be read from its start as often as it takes.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "rigsound/file/file_descriptor.hpp"
+
+namespace rigsound {
+
+/// A regular file is read where it lies. Standard input (`-`) and a pipe are first copied into a temporary file
+/// without a name. Thread: OFF.
+class InputFile {
+ public:
+  /// `kind`: what it should be, such as "bus log". Errors: InputError for what cannot be opened or is a folder;
+  /// DeviceError when there is no room.
+  InputFile(const std::filesystem::path& file, std::string_view kind);
+
+  const std::string& name() const { return name_; }            ///< for messages
+  const std::filesystem::path& path() const { return path_; }  ///< to be opened while this lives
+
+ private:
+  std::string name_;
+  std::filesystem::path path_;
+  FileDescriptor copy_;
+};
+
+}  // namespace rigsound
