@@ -49,6 +49,16 @@ class Interrupted(unittest.TestCase):
         self.assertEqual(list(self.temporary.iterdir()), [])
         return sorted(path.relative_to(self.out).as_posix() for path in self.out.rglob('*'))
 
+    def recordings(self, count):
+        """Short recordings that give banks: easy clips of the simulator."""
+        clips = self.folder / 'clips'
+        subprocess.run([RIGSOUND, 'simulate', '--ids', '103,112', '--seconds', '2', '--out', clips], check=True,
+                       stdout=subprocess.DEVNULL)
+        (self.folder / 'in').mkdir()
+        for i in range(count):
+            shutil.copy(clips / f'c{(103, 112)[i % 2]}_clean.wav', self.folder / f'in/r{i}.wav')
+        return self.folder / 'in'
+
     def test_sound_that_is_being_made(self):
         write_sound_set(self.folder / 'set')
         rig = self.folder / 'rig.toml'
@@ -77,10 +87,7 @@ class Interrupted(unittest.TestCase):
         self.assertEqual(self.interrupted(signal.SIGINT, 'clicks', recording, '--dump', self.out / 'dump', '--jobs', 1), [])
 
     def test_a_batch_keeps_whole_banks_only_and_goes_on_later(self):
-        recordings = self.folder / 'in'
-        recordings.mkdir()
-        for i in range(3):
-            write_wav(recordings / f'r{i}.wav', [strikes(2.0, every_s=0.03 + 0.002 * i)])
+        recordings = self.recordings(3)
         words = ['analyze', recordings, '--out', self.out / 'set', '--no-denoise', '--jobs', 1]
         process = self.begin(*words)
         first = process.stdout.readline()  # told when it is done
@@ -103,10 +110,7 @@ class Interrupted(unittest.TestCase):
         self.assertEqual(self.interrupted(signal.SIGINT, 'analyze', recording, '--out', self.out / 'set', '--jobs', 1), [])
 
     def test_a_reader_that_goes_stops_a_batch_and_leaves_nothing_half_made(self):
-        recordings = self.folder / 'in'
-        recordings.mkdir()
-        for i in range(4):
-            write_wav(recordings / f'r{i}.wav', [strikes(2.0, every_s=0.03 + 0.002 * i)])
+        recordings = self.recordings(4)
         process = self.begin('analyze', recordings, '--out', self.out / 'set', '--no-denoise', '--jobs', 1)
         process.stdout.readline()
         process.stdout.close()

@@ -39,16 +39,16 @@ class Outputs(unittest.TestCase):
     def refused(self, *words):
         before = self.contents()
         result = subprocess.run([RIGSOUND, *map(str, words)], capture_output=True, text=True, timeout=120)
-        self.assertEqual((result.returncode, result.stdout), (1, ''), words)
+        self.assertEqual((result.returncode, result.stdout), (1, ''), (words, result.stderr))
         self.assertEqual(result.stderr.count('\n'), 1, result.stderr)
         self.assertIn(', expected ', result.stderr)
         self.assertEqual(self.contents(), before, words)
 
-    def names_of(self, file):
-        """The file by its name, by a way around, through a symbolic link and by a hard link."""
+    def names_of(self, file, ending=None):
+        """The file by its name, by a way around, through a symbolic link and by a hard link; links of that ending."""
         file = pathlib.Path(file)
-        names = [file, file.parent / '..' / file.parent.name / file.name, self.folder / ('soft' + file.suffix),
-                 self.folder / ('hard' + file.suffix)]
+        names = [file, file.parent / '..' / file.parent.name / file.name, self.folder / ('soft' + (ending or file.suffix)),
+                 self.folder / ('hard' + (ending or file.suffix))]
         for name in names[2:]:
             name.unlink(missing_ok=True)
         names[2].symlink_to(file)
@@ -56,7 +56,10 @@ class Outputs(unittest.TestCase):
         return names
 
     def test_render(self):
-        for read in (self.rig, self.dbc, self.log, self.clicks, self.set / 'soundset.toml'):
+        for read in (self.dbc, self.clicks, self.set / 'soundset.toml'):
+            for name in self.names_of(read, '.wav')[2:]:
+                self.refused('render', self.rig, '--log', self.log, '--out', name)
+        for read in (self.rig, self.log, self.clicks):
             for name in self.names_of(read):
                 self.refused('render', self.rig, '--log', self.log, '--out', name)
         self.refused('render', self.rig, '--states', self.states, '--out', self.states)
@@ -79,12 +82,12 @@ class Outputs(unittest.TestCase):
     def test_analyze(self):
         rig = ['--rig', self.rig, '--bus-log', self.log]
         for read in (self.sound, self.labels, self.set / 'soundset.toml', self.clicks):
-            for name in self.names_of(read):
+            for name in self.names_of(read, '.html')[2:]:
                 self.refused('analyze', self.sound, '--out', self.set, '--report', name)
         for read in (self.rig, self.dbc, self.log):
-            for name in self.names_of(read):
+            for name in self.names_of(read, '.html')[2:]:
                 self.refused('analyze', self.sound, '--out', self.set, *rig, '--report', name)
-        other = self.write('other.txt', '0.0\t0.5\tnormal\n')
+        other = self.write('other.html', '0.0\t0.5\tnormal\n')
         self.refused('analyze', self.sound, '--labels', other, '--out', self.set, '--report', other)
         # A bank takes the name of its recording, and with it the place of this one.
         shutil.copytree(self.set / 'banks/normal', self.set / 'banks/clicks')
@@ -100,7 +103,7 @@ class Outputs(unittest.TestCase):
                 self.refused('background', self.sound, *words, '--resynth', name)
                 self.refused('background', self.sound, *words, '--resynth', self.folder / 'r.wav', '--plot', name)
         self.refused('background', self.sound, '--rpm', 800, '--resynth', self.track, '--resynth-track', self.track)
-        same = self.folder / 'same'
+        same = self.folder / 'same.svg'
         self.refused('background', self.sound, '--rpm', 800, '--resynth', same, '--plot', same)
         start = self.set / 'backgrounds/diesel/start.wav'
         start.parent.mkdir(parents=True)

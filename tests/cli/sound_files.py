@@ -1,4 +1,5 @@
 """Sound files for tests, written and read from the description of WAV and by nothing of rigsound."""
+import ctypes
 import math
 import pathlib
 import struct
@@ -35,3 +36,23 @@ def strikes(seconds, rate=48000, every_s=0.04):
     step = int(every_s * rate)
     return [0.4 * math.exp(-(n % step) / (0.004 * rate)) * math.sin(2 * math.pi * 1900 * (n % step) / rate)
             for n in range(int(seconds * rate))]
+
+
+class Info(ctypes.Structure):
+    _fields_ = [('frames', ctypes.c_int64), ('rate', ctypes.c_int), ('channels', ctypes.c_int), ('format', ctypes.c_int),
+                ('sections', ctypes.c_int), ('seekable', ctypes.c_int)]
+
+
+def read_sound(path):
+    """(format, rate, samples in their order) of any file of libsndfile, by libsndfile itself."""
+    library = ctypes.CDLL('libsndfile.so.1')
+    library.sf_open.restype = ctypes.c_void_p
+    library.sf_readf_float.argtypes = [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64]
+    library.sf_close.argtypes = [ctypes.c_void_p]
+    info = Info()
+    sound = library.sf_open(str(path).encode(), 0x10, ctypes.byref(info))
+    assert sound, path
+    samples = (ctypes.c_float * (info.frames * info.channels))()
+    library.sf_readf_float(sound, samples, info.frames)
+    library.sf_close(sound)
+    return info.format, info.rate, list(samples)

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "endings.hpp"
 #include "progress_bar.hpp"
 #include "rigsound/analysis/analyzer.hpp"
 #include "rigsound/analysis/report.hpp"
@@ -58,6 +59,7 @@ void print_bank(const AnalysedPart& p) {
 void analyze(const AnalyzeArguments& a) {
   const AnalyzerOptions options = options_of(a);
   require_file("--report", a.report);
+  require_ending("--report", a.report, {".html", ".htm"});
   if (!a.report.empty()) AtomicFile(a.report);  // a page that cannot be written is told before the work
   AnalyzerResult result;
   {

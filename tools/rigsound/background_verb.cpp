@@ -7,6 +7,7 @@
 #include "background/learning.hpp"
 #include "background/paper.hpp"
 #include "background/resynthesis.hpp"
+#include "endings.hpp"
 #include "rigsound/analysis/background_plot.hpp"
 #include "rigsound/config/background_files.hpp"
 #include "rigsound/config/sound_set_files.hpp"
@@ -63,6 +64,8 @@ void run(const BackgroundOptions& o) {
     read.insert(read.end(), set.begin(), set.end());
   }
   require_apart({o.plot, o.resynthesis.file}, read);
+  require_sound_ending("--resynth", o.resynthesis.file);
+  require_ending("--plot", o.plot, {".svg"});
   if (o.model == "paper")
     model_note(o.learning.inputs, o.resynthesis.file, o.resynthesis.seed, o.json, o.paper);
   else

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "contrast/contrast_output.hpp"
+#include "endings.hpp"
 #include "progress_bar.hpp"
 #include "rigsound/analysis/contrast.hpp"
 #include "rigsound/config/rig.hpp"
@@ -44,6 +45,7 @@ void contrast(const ContrastArguments& o) {
   const std::size_t boom = boom_of(rig, o.boom);
   require_file("--report", o.report);
   require_apart({o.report}, config::files_of(rig));
+  require_ending("--report", o.report, {".html", ".htm"});
   if (!o.report.empty()) AtomicFile(o.report);  // a page that cannot be written is told before the work
   const ContrastRig played = contrast_rig(rig, boom, o.engine_rpm);
   Contrast measured;

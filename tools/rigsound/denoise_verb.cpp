@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "chain_arguments.hpp"
+#include "endings.hpp"
 #include "rigsound/analysis/wave_file.hpp"
 #include "rigsound/file/read_files.hpp"
 #include "verbs.hpp"
@@ -17,6 +18,8 @@ struct DenoiseOptions {
 /// Refuses outputs that would replace the recording or one another.
 void check_names(const DenoiseOptions& options) {
   require_apart({options.output, options.noise}, {options.chain.input});
+  require_sound_ending("OUT.wav", options.output);
+  require_sound_ending("--noise", options.noise);
 }
 
 std::vector<float> background(const analysis::Recording& recording, const std::vector<float>& drilling) {
@@ -30,7 +33,8 @@ void run(const DenoiseOptions& options) {
   const analysis::Recording recording = read_input(options.chain);
   const analysis::ChainResult result = run_chain(recording, options.chain, Denoising::kOn);
   const auto write = [&recording](const AtomicFile& file, const std::vector<float>& x) {
-    analysis::write_wave(file, analysis::at_source_rate(recording, x), recording.source_rate);
+    tell_clipped(file.target().string(),
+                 analysis::write_wave(file, analysis::at_source_rate(recording, x), recording.source_rate));
   };
   AtomicFile output(options.output);
   write(output, result.drilling);
@@ -51,7 +55,7 @@ void add_denoise(cli::Verb& program) {
   const auto options = std::make_shared<DenoiseOptions>();
   add_chain_arguments(verb, options->chain);
   verb.positional("OUT.wav", options->output,
-                  "the drilling alone: mono, 32-bit float WAV, same rate and length")
+                  "the drilling alone, mono, same rate and length: .wav of 32-bit float, .flac or .ogg")
       .required();
   verb.option("--noise", options->noise, "what was removed; both add up to the recording").type("NOISE.wav");
   verb.details(

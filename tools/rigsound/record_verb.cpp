@@ -43,9 +43,17 @@ RecordedFiles files_for(const config::Rig& rig, const std::filesystem::path& out
   return files;
 }
 
+/// Any name but one that says another format than is written.
+void require_log_name(const std::filesystem::path& out, const std::string& ending) {
+  for (const char* other : {".asc", ".trc", ".blf", ".mf4", ".gz", ".csv", ".pcapng", ".pcap"})
+    if (out.extension() == other && out.extension() != ending)
+      throw cli::UsageError("--out", "'" + out.string() + "' names a format that is not written, expected a name that ends in " + ending);
+}
+
 std::vector<std::unique_ptr<BusRecorder>> start(const config::Rig& rig, const std::filesystem::path& out) {
   const RecordedFiles files = files_for(rig, out);
   require_apart({files.can, files.modbus, files.udp}, config::files_of(rig));
+  require_log_name(out, rig.can.empty() ? ".pcap" : ".log");
   std::vector<std::unique_ptr<BusRecorder>> recorders;
   if (!files.can.empty()) recorders.push_back(record_can(rig, files.can));
   if (!files.modbus.empty()) recorders.push_back(record_modbus(rig, files.modbus));

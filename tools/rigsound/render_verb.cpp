@@ -3,11 +3,12 @@
 #include <chrono>
 #include <optional>
 
+#include "endings.hpp"
 #include "log_arguments.hpp"
 #include "log_notes.hpp"
 #include "refused_values.hpp"
 #include "rigsound/audio/excerpt.hpp"
-#include "rigsound/audio/wav_sink.hpp"
+#include "rigsound/audio/file_sink.hpp"
 #include "rigsound/config/fingerprint.hpp"
 #include "rigsound/config/rig.hpp"
 #include "rigsound/default_diesel.hpp"
@@ -40,11 +41,11 @@ void render(config::Rig& rig, audio::StateSource& states, audio::SampleFormat sa
   require_apart({options.out}, config::files_of(rig));
   const audio::BlockRange part = audio::blocks_of(options.from_s, options.to_s, rig.engine);
   Sha256 digest;
-  audio::WavSink::Tap hash;
+  audio::FileSink::Tap hash;
   if (!options.no_hash) hash = [&](const void* bytes, std::size_t size) { digest.update(bytes, size); };
-  const audio::WavSink::Format format{static_cast<int>(rig.engine.sample_rate), rig.engine.channels,
-                                      rig.engine.block, samples};
-  audio::WavSink file(options.out, format, hash);
+  const audio::FileSink::Format format{
+      {static_cast<int>(rig.engine.sample_rate), rig.engine.channels, samples}, rig.engine.block};
+  audio::FileSink file(options.out, format, hash);
   audio::LateSink sink(file, part.first);
   audio::EndingStates source(states, part.last);
   const auto start = std::chrono::steady_clock::now();
@@ -56,6 +57,7 @@ void render(config::Rig& rig, audio::StateSource& states, audio::SampleFormat sa
     throw cli::UsageError("--from",
                           fmt::format("{:g} s is after the end at {:.3f} s", options.from_s, length_s));
   file.commit();
+  tell_clipped(options.out, file.clipped());
   std::FILE* const figures = figures_beside({options.out});
   if (!options.no_hash) fmt::print(figures, "sha256 {}\n", digest.hex());
   fmt::print(figures, "realtime_factor {:.2f}\n", length_s / spent.count());
@@ -116,7 +118,7 @@ void add_render(cli::Verb& program) {
   source.option("--log", options->log.log, kLogHelp);
   source.option("--session", options->session, "what rigsoundd --session wrote: the very samples it played");
   source.option("--states", options->states, "CSV as decode prints it: the state itself, no safety rule");
-  verb.option("--out", options->out, "WAV file to write: 32 bit float, or the format of the session's card")
+  verb.option("--out", options->out, "sound file to write: .wav of 32 bit float, or in the format of the session's card; .flac of 24 bit; .ogg")
       .required();
   add_log_options(verb, options->log);
   verb.option("--seed", options->seed, "instead of the rig's seed; a session has its own");
@@ -124,7 +126,8 @@ void add_render(cli::Verb& program) {
   verb.option("--to", options->to_s, "s; OUT ends with the block before it; left out: the end").at_least(0);
   verb.flag("--no-hash", options->no_hash, "print no sha256");
   verb.callback([options] {
-    require_apart({options->out}, {options->log.log, options->session, options->states});
+    require_apart({options->out}, {options->rig, options->log.log, options->session, options->states});
+    require_sound_ending("--out", options->out);
     if (options->to_s <= options->from_s) throw cli::UsageError("--to", "expected more than --from");
     if (!options->log.log.empty())
       render_log(*options);
@@ -132,7 +135,7 @@ void add_render(cli::Verb& program) {
       options->session.empty() ? render_states(*options) : render_session(*options);
   });
   verb.details(
-      "Prints `sha256 HEX` of the PCM bytes in the WAV's data chunk, then `realtime_factor X`: seconds of "
+      "Prints `sha256 HEX` of the PCM bytes as a WAV has them in its data chunk, then `realtime_factor X`: seconds of "
       "sound per "
       "second of rendering. Everything a frame or a row says acts from the next block on; the sound ends "
       "with the last "

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "endings.hpp"
 #include "rigsound/analysis/resynth.hpp"
 #include "rigsound/analysis/wave_file.hpp"
 #include "rigsound/config/bank_files.hpp"
@@ -31,10 +32,12 @@ void write_impacts(const std::string& path, const analysis::Resynthesis& result,
 
 void resynth(const ResynthOptions& o) {
   require_apart({o.output, o.impacts}, {o.bank});
+  require_sound_ending("OUT.wav", o.output);
   const ClickBank bank = config::load_bank(o.bank).bank;
   const analysis::Resynthesis result = analysis::resynthesise(bank, o.seconds, o.seed, o.controls);
   if (!o.impacts.empty()) write_impacts(o.impacts, result, bank.sample_rate);
-  analysis::write_wave(o.output, result.sound, static_cast<int>(std::lround(bank.sample_rate)));
+  const int rate = static_cast<int>(std::lround(bank.sample_rate));
+  tell_clipped(o.output, analysis::write_wave(o.output, result.sound, rate));
 }
 
 }  // namespace
@@ -45,7 +48,7 @@ void add_resynth(cli::Verb& program) {
   auto o = std::make_shared<ResynthOptions>();
   DrillControls& c = o->controls;
   verb.positional("BANK", o->bank, "folder of the bank, SOUNDSET/banks/NAME").required();
-  verb.positional("OUT.wav", o->output, "WAV to write").required();
+  verb.positional("OUT.wav", o->output, "sound to write: .wav of 32-bit float, .flac or .ogg").required();
   verb.option("--seconds", o->seconds, "length").required().range(0.01, 36000);
   verb.option("--seed", o->seed, "the same seed gives the same samples").shows_default();
   verb.option("--rate", c.mean_frequency_hz, "clicks a second instead of the bank's own").range(1, 100);

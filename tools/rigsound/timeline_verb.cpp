@@ -1,10 +1,10 @@
 // rigsound timeline: the picture of a render.
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 
+#include "endings.hpp"
 #include "rigsound/analysis/timeline.hpp"
 #include "rigsound/config/rig.hpp"
 #include "rigsound/machine/signal.hpp"
@@ -21,9 +21,7 @@ struct TimelineArguments {
 };
 
 void draw(TimelineArguments o) {
-  if (std::filesystem::path(o.picture).extension() != ".png")
-    throw cli::UsageError("OUT.png",
-                          "'" + o.picture + "' is no name for a PNG, expected one that ends in .png");
+  require_ending("OUT.png", o.picture, {".png"});
   SceneOptions& scene = o.timeline.scene;
   if (!o.rig.empty()) scene = config::load_rig(o.rig, config::Buses::kLeftOut).engine.scene;
   if (o.underfeed->given()) scene.underfeed_bar = o.underfeed_bar;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "endings.hpp"
 #include "read_recording.hpp"
 #include "rigsound/analysis/tool_fit.hpp"
 #include "rigsound/analysis/tool_plot.hpp"
@@ -133,6 +134,7 @@ void run(const ToolOptions& o) {
   require_apart({o.plot}, {o.recording});
   for (const std::string& sound_set : {o.sound_set, o.drill_string.rocks_of})
     require_apart({o.plot}, config::content_of(sound_set));
+  require_ending("--plot", o.plot, {".svg"});
   if (!o.is_string) return design_bar(o);
   DrillStringOptions drill_string = o.drill_string;
   drill_string.model.rod_length_m = o.length_m;

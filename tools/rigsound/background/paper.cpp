@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "endings.hpp"
 #include "read_recording.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/analysis/wave_file.hpp"
@@ -37,7 +38,8 @@ void model_note(const std::vector<std::string>& inputs, const std::string& resyn
   settings.seed = seed;
   const analysis::NoteModel m = analysis::model_note(
       inputs.front(), read_whole(inputs.front(), "note").mono, settings);
-  if (!resynth.empty()) analysis::write_wave(resynth, m.sound, static_cast<int>(analysis::kAnalysisRate));
+  if (!resynth.empty())
+    tell_clipped(resynth, analysis::write_wave(resynth, m.sound, static_cast<int>(analysis::kAnalysisRate)));
   std::FILE* const to = figures_beside({resynth});
   if (json) {
     const nlohmann::ordered_json figures = {{"f0_hz", m.f0},

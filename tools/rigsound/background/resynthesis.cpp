@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "endings.hpp"
 #include "rigsound/analysis/diesel.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/analysis/time_table.hpp"
@@ -16,13 +17,13 @@ void write_resynthesis(const ResynthesisOptions& o, const DieselModel& model) {
       o.track.empty() ? std::vector<double>(samples, rpm)
                       : analysis::at_every_sample(analysis::read_time_table(o.track, "rpm"), samples);
   const double load = o.load >= 0 ? o.load : model.points.front().load;
-  analysis::write_wave(o.file, analysis::play_diesel(model, track, load, o.feed, o.seed),
-                       static_cast<int>(analysis::kAnalysisRate));
+  tell_clipped(o.file, analysis::write_wave(o.file, analysis::play_diesel(model, track, load, o.feed, o.seed),
+                                            static_cast<int>(analysis::kAnalysisRate)));
 }
 
 void add_resynthesis_options(cli::Verb& verb, ResynthesisOptions& o) {
   const cli::Option file =
-      verb.option("--resynth", o.file, "WAV to write: the model played by the engine's own voice");
+      verb.option("--resynth", o.file, "sound to write (.wav, .flac or .ogg): the model played by the engine's own voice");
   verb.option("--seconds", o.seconds, "length of it").shows_default().range(0.1, 36000).needs(file);
   const cli::Option rpm =
       verb.option("--resynth-rpm", o.rpm, "its speed, r/min (default: the first recording's)")
