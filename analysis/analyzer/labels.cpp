@@ -31,11 +31,14 @@ struct Place {
   }
 };
 
-double number(const Place& place, std::string_view key, std::string_view text, double low, double high) {
+constexpr Range kLabelTimes{0, 1e6, "s"}, kLabelRods = Range{1, 20}.whole(), kLabelSpeeds{1, 4000, "r/min"};
+
+double number(const Place& place, std::string_view key, std::string_view text, const Range& range) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !(value >= low && value <= high))
-    place.complain(key, fmt::format("'{}' is wrong, expected a number from {} to {}", text, low, high));
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    place.complain(key, fmt::format("'{}' is no number, expected {}", text, range.text()));
+  if (!range.holds(value)) place.complain(key, range.problem(value));
   return value;
 }
 
@@ -44,15 +47,12 @@ void set_key(const Place& place, const std::string& word, Label& label) {
   const std::string key = word.substr(0, equals),
                     value = equals == std::string::npos ? "" : word.substr(equals + 1);
   if (key == "rods") {
-    const double rods = number(place, key, value, 1, 20);
-    if (rods != std::floor(rods))
-      place.complain(key, fmt::format("'{}' is wrong, expected a whole number from 1 to 20", value));
-    label.rods = static_cast<int>(rods);
+    label.rods = static_cast<int>(number(place, key, value, kLabelRods));
   } else if (key == "rpm") {
-    label.rpm = number(place, key, value, 1, 4000);
+    label.rpm = number(place, key, value, kLabelSpeeds);
   } else if (key == "feed" || key == "percussion") {
-    const Range& bar = config::kRecordedPressures;
-    (key == "feed" ? label.feed_bar : label.percussion_bar) = number(place, key, value, bar.min, bar.max);
+    const Range& all = config::kRecordedPressures;  // with the 0 of one that was not recorded
+    (key == "feed" ? label.feed_bar : label.percussion_bar) = number(place, key, value, {all.min, all.max, all.unit});
   } else if (key == "rock") {
     const auto odd = [](unsigned char c) { return !std::isalnum(c) && c != '_' && c != '-' && c != '.'; };
     if (value.empty() || value[0] == '.' || std::any_of(value.begin(), value.end(), odd))
@@ -79,15 +79,14 @@ void set_text(const Place& place, const std::string& text, Label& label) {
 }
 
 Label parse(const Place& place, const std::string& text) {
-  constexpr double kLongest_s = 1e6;
   const std::size_t first = text.find('\t');
   const std::size_t second = first == std::string::npos ? first : text.find('\t', first + 1);
   if (second == std::string::npos) place.complain("label", fmt::format("has no two tabs, {}", kGrammar));
   Label label;
   label.line = place.line;
-  label.start_s = number(place, "start", std::string_view(text).substr(0, first), 0, kLongest_s);
+  label.start_s = number(place, "start", std::string_view(text).substr(0, first), kLabelTimes);
   label.end_s =
-      number(place, "end", std::string_view(text).substr(first + 1, second - first - 1), 0, kLongest_s);
+      number(place, "end", std::string_view(text).substr(first + 1, second - first - 1), kLabelTimes);
   if (!(label.end_s > label.start_s))
     place.complain("end", fmt::format("{} s is not after the start at {} s, expected a stretch of time",
                                       label.end_s, label.start_s));

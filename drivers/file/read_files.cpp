@@ -26,6 +26,15 @@ bool lies_in(const fs::path& file, const fs::path& folder) {
   return false;
 }
 
+/// A file of the folder by another name.
+bool linked_in(const fs::path& file, const fs::path& folder) {
+  std::error_code error;
+  if (fs::hard_link_count(file, error) < 2 || error) return false;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error))
+    if (same(file, entry.path())) return true;
+  return false;
+}
+
 /// Neither has content that writing could replace.
 bool passes_by(const fs::path& path) {
   std::error_code error;
@@ -38,7 +47,8 @@ void require_not_read(const fs::path& output, const std::vector<fs::path>& input
     if (passes_by(input)) continue;
     if (same(output, input) || same_name(output, input))
       throw InputError(output.string(), "is read as well as written, expected another name for the output");
-    if (fs::is_directory(input, error) && fs::exists(output, error) && lies_in(output, input))
+    if (fs::is_directory(input, error) && fs::exists(output, error) &&
+        (lies_in(output, input) || linked_in(output, input)))
       throw InputError(output.string(), "is a file of " + input.string() +
                                             ", which is read, expected another name for the output");
   }

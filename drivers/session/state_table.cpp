@@ -45,9 +45,9 @@ double value_of(Signal signal, const std::string& text, const Line& line) {
   if (const auto word = value_of_word(signal, text)) return *word;
   const auto value = number_in(text);
   if (value && (known.takes(*value) || *value == known.absent)) return *value;
-  const std::string range = "a number from " + number_text(known.min) + " to " + number_text(known.max);
-  line.fail(known.name, "'" + text + "' is no value of it, expected " +
-                            (known.words.empty() ? range : "one of " + std::string(known.words)));
+  line.fail(known.name,
+            "'" + text + "' is no value of it, expected " +
+                (known.words.empty() ? known.range().text() : "one of " + std::string(known.words)));
 }
 
 /// "feed_pressure_bar" is the first boom's, "NAME.feed_pressure_bar" that of boom NAME. Nothing for a row of

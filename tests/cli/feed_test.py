@@ -39,7 +39,7 @@ class Case(unittest.TestCase):
 
 class Usage(Case):
     def test_simulate_says_what_it_accepts(self):
-        self.refused(['simulate', '--out', 'x', '--feed-ramp', '5'], '--feed-ramp: is 5, expected 10...3600', 2)
+        self.refused(['simulate', '--out', 'x', '--feed-ramp', '5'], '--feed-ramp: is 5, expected 10...3600 s', 2)
         self.refused(['simulate', '--out', 'x', '--rods', '1,21'], '--rods: is 21, expected 1...20', 2)
         self.refused(['simulate', '--out', 'x', '--rods', 'two'],
                      "--rods: 'two' is neither a number nor a range such as 3-7", 2)

@@ -89,13 +89,16 @@ class WrongUsage(unittest.TestCase):
         self.refused('bench --seconds 0,5', "--seconds: '0,5' is no number, expected a decimal point: 0.5")
 
     def test_ranges_say_what_they_accept(self):
-        self.refused('bench --seconds 1e9', '--seconds: is 1e9, expected 0.1...3600')
+        self.refused('bench --seconds 1e9', '--seconds: is 1e9, expected 0.1...3600 s')
         self.refused('bench --seconds nan', "--seconds: 'nan' is no number, expected one such as 0.5")
-        self.refused('record rig.toml --out a --seconds 0', '--seconds: is 0, expected 0.001 or more')
+        self.refused('record rig.toml --out a --seconds 0', '--seconds: is 0, expected 0.001 s or more')
+        self.refused('background a.wav --rpm 5000 --out set', '--rpm: is 5000, expected 300...4000 r/min')
+        self.refused('resynth a b.wav --seconds 1 --gain-db 30', '--gain-db: is 30, expected -60...24 dB')
+        self.refused('timeline a.png --wav a.wav --states s.csv --underfeed 400', '--underfeed: is 400, expected 0...300 bar')
         self.refused('clicks in.wav --jobs -1', '--jobs: is -1, expected 1 or more')
         self.refused('clicks in.wav --jobs 1.5', "--jobs: '1.5' is no whole number, expected one such as 2")
         self.refused('clicks in.wav --jobs 4294967296', "--jobs: '4294967296' is no whole number, expected one such as 2")
-        self.refused('rig.toml --session-limit 0', '--session-limit: is 0, expected 0.01...1000000', program=RIGSOUNDD)
+        self.refused('rig.toml --session-limit 0', '--session-limit: is 0, expected 0.01...1000000 MB', program=RIGSOUNDD)
 
     def test_words(self):
         self.refused('clicks in.wav --method papre', '--method: is papre, expected click-nmf|paper, did you mean paper?')

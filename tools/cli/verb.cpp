@@ -195,14 +195,14 @@ Option Option::shows_default() {
   option_->default_str(initial_);
   return *this;
 }
-Option Option::range(double low, double high) {
-  const std::string accepted = number_text(low) + "..." + number_text(high);
+Option Option::range(double low, double high, const std::string& unit) {
+  const std::string accepted = number_text(low) + "..." + number_text(high) + (unit.empty() ? "" : " " + unit);
   option_->check(CLI::Validator(
       [=](const std::string& text) { return range_fault(text, low, high, accepted); }, accepted));
   return *this;
 }
-Option Option::at_least(double low) {
-  const std::string accepted = number_text(low) + " or more";
+Option Option::at_least(double low, const std::string& unit) {
+  const std::string accepted = number_text(low) + (unit.empty() ? "" : " " + unit) + " or more";
   option_->check(CLI::Validator(
       [=](const std::string& text) {
         return range_fault(text, low, std::numeric_limits<double>::infinity(), accepted);

@@ -30,8 +30,8 @@ class Option {
 
   Option required();
   Option shows_default();                 ///< the value that the variable had when it was added
-  Option range(double low, double high);  ///< of a number, both ends included
-  Option at_least(double low);            ///< of a number
+  Option range(double low, double high, const std::string& unit = {});  ///< of a number, both ends included
+  Option at_least(double low, const std::string& unit = {});            ///< of a number
   Option one_of(const std::vector<std::string>& words);
   Option type(const std::string& name);       ///< in the help, instead of TEXT, NUMBER or INTEGER
   Option group(const std::string& heading);   ///< in the help

@@ -110,7 +110,7 @@ void add_bench(cli::Verb& program) {
                        .group(kInspect);
   auto o = std::make_shared<Options>();
   verb.flag("--json", o->json, "figures for programs");
-  verb.option("--seconds", o->seconds, "sound to play per figure, s").range(0.1, 3600).shows_default();
+  verb.option("--seconds", o->seconds, "sound to play per figure").range(0.1, 3600, "s").shows_default();
   verb.details(
       "One boom that drills at 1800 r/min, blocks of 64 frames at 48 kHz, sounds made from formulas.\n"
       "Means are those of the quietest of eight rounds, worst blocks those of all.");

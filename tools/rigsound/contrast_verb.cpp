@@ -75,16 +75,16 @@ void add_contrast(cli::Verb& program) {
   verb.positional("RIG.toml", o->rig, "the rig, whose sound set and thresholds are meant").required();
   verb.option("--report", o->report, "also write one self-contained HTML page: verdicts, pairs, curves");
   verb.flag("--json", o->json, "figures as JSON instead of tables");
-  verb.option("--seconds", c.seconds, "of each run").shows_default().range(4, 600);
+  verb.option("--seconds", c.seconds, "of each run").shows_default().range(4, 600, "s");
   verb.option("--runs", c.runs, "of each sound, with different seeds").shows_default().range(2, 32);
   verb.option("--seed", c.seed, "of the first run; the same seed gives the same figures").shows_default();
   verb.option("--boom", o->boom, "which drill, by its name [the first]");
-  verb.option("--rpm", o->engine_rpm, "speed of the diesel meanwhile, r/min; 0: off")
+  verb.option("--rpm", o->engine_rpm, "speed of the diesel meanwhile; 0: off")
       .shows_default()
-      .range(0, info(Signal::kEngineRpm).max);
-  verb.option("--db-spl", c.full_scale_db_spl, "level at the ear of a sine of full scale, dB SPL")
+      .range(0, info(Signal::kEngineRpm).max, "r/min");
+  verb.option("--db-spl", c.full_scale_db_spl, "level at the ear of a sine of full scale")
       .shows_default()
-      .range(40, 140);
+      .range(40, 140, "dB SPL");
   verb.option("--jobs", c.jobs, "runs at the same time; figures do not depend on it")
       .range(1, 256)
       .shows_default();

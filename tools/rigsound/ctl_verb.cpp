@@ -151,7 +151,7 @@ void add_views(cli::Verb& ctl, const Shared& o) {
   show.flag("--json", o->json, "one JSON object");
   show.example("rigsound ctl status --json");
   cli::Verb look = add(ctl, o, "watch", "Show the status on one screen, again and again", watch);
-  look.option("--every", o->seconds, "seconds between two views").range(0.02, 3600).shows_default();
+  look.option("--every", o->seconds, "time between two views").range(0.02, 3600, "s").shows_default();
   look.details("Waits for a daemon that is not there yet, or has gone. Ends by Ctrl-C.");
   look.example("rigsound ctl watch --every 1");
   add(ctl, o, "metrics", "Print OpenMetrics text", metrics).example("rigsound ctl metrics");

@@ -3,8 +3,8 @@
 namespace rigsound::tools {
 
 void add_gap_option(cli::Verb& verb, LogArguments& arguments) {
-  verb.option("--skip-gaps", arguments.skip_gaps_s, "leave out pauses of the log longer than so many seconds")
-      .at_least(0.001);
+  verb.option("--skip-gaps", arguments.skip_gaps_s, "leave out pauses of the log longer than this")
+      .at_least(0.001, "s");
 }
 
 void add_log_options(cli::Verb& verb, LogArguments& arguments) {

@@ -85,7 +85,7 @@ void add_record(cli::Verb& program) {
   auto options = std::make_shared<RecordArguments>();
   verb.positional("RIG.toml", options->rig, "the rig whose buses are meant").required();
   verb.option("--out", options->out, "file to write").required();
-  verb.option("--seconds", options->seconds, "end after so long; left out: on Ctrl-C").at_least(0.001);
+  verb.option("--seconds", options->seconds, "end after so long; left out: on Ctrl-C").at_least(0.001, "s");
   verb.callback([options] { record(*options); });
   verb.details(
       "CAN is written as candump -l does, all frames of the rig's interfaces; Modbus as a pcap of what was "

@@ -122,8 +122,8 @@ void add_render(cli::Verb& program) {
       .required();
   add_log_options(verb, options->log);
   verb.option("--seed", options->seed, "instead of the rig's seed; a session has its own");
-  verb.option("--from", options->from_s, "s; OUT begins with the block that holds it").at_least(0);
-  verb.option("--to", options->to_s, "s; OUT ends with the block before it; left out: the end").at_least(0);
+  verb.option("--from", options->from_s, "OUT begins with the block that holds it").at_least(0, "s");
+  verb.option("--to", options->to_s, "OUT ends with the block before it; left out: the end").at_least(0, "s");
   verb.flag("--no-hash", options->no_hash, "print no sha256");
   verb.callback([options] {
     require_apart({options->out}, {options->rig, options->log.log, options->session, options->states});

@@ -49,10 +49,10 @@ void add_resynth(cli::Verb& program) {
   DrillControls& c = o->controls;
   verb.positional("BANK", o->bank, "folder of the bank, SOUNDSET/banks/NAME").required();
   verb.positional("OUT.wav", o->output, "sound to write: .wav of 32-bit float, .flac or .ogg").required();
-  verb.option("--seconds", o->seconds, "length").required().range(0.01, 36000);
+  verb.option("--seconds", o->seconds, "length").required().range(0.01, 36000, "s");
   verb.option("--seed", o->seed, "the same seed gives the same samples").shows_default();
-  verb.option("--rate", c.mean_frequency_hz, "clicks a second instead of the bank's own").range(1, 100);
-  verb.option("--gain-db", c.mean_amplitude_db, "louder or softer").range(-60, 24);
+  verb.option("--rate", c.mean_frequency_hz, "clicks a second instead of the bank's own").range(1, 100, "Hz");
+  verb.option("--gain-db", c.mean_amplitude_db, "louder or softer").range(-60, 24, "dB");
   verb.option("--jitter", c.deviation_time, "factor on the deviation in time").range(0, 4);
   verb.option("--amp-jitter", c.deviation_amplitude, "factor on the deviation in amplitude").range(0, 4);
   verb.option("--attack", c.attack_factor, "factor on the attack time").range(0.1, 10);

@@ -83,13 +83,13 @@ void add_simulate(cli::Verb& program) {
   verb.option("--out", o->folder, "folder for the recordings; truth/ and engine/ are made inside").required();
   verb.option("--seed", o->seed, "other seeds: other recordings of the same machine").shows_default();
   verb.option("--seconds", o->seconds, "length of a recording (default 18, of a DrillBench clip 2)")
-      .range(1, 3600);
+      .range(1, 3600, "s");
   const cli::Option ids =
       verb.option("--ids", o->ids, "DrillBench clips by number instead, such as 100-131 or 3,7")
           .separated_by_commas();
   verb.option("--feed-ramp", o->ramp_seconds,
               "also a recording of so many seconds along a feed ramp, with its bus log; the name alone: 120")
-      .range(10, 3600)
+      .range(10, 3600, "s")
       .value_or("120")
       .excludes(ids);
   verb.option("--rods", o->rods,

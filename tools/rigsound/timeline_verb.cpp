@@ -43,19 +43,19 @@ void add_timeline(cli::Verb& program) {
   verb.option("--states", o->states, "CSV time_s,signal,value, what `rigsound decode` prints").required();
   verb.option("--rig", o->rig, "take the thresholds from this rig");
   const auto threshold = [&](const char* name, double& bar, const char* help) {
-    return verb.option(name, bar, help).shows_default().range(0, info(Signal::kFeedPressureBar).max);
+    return verb.option(name, bar, help).shows_default().range(0, info(Signal::kFeedPressureBar).max, "bar");
   };
   o->underfeed = threshold("--underfeed", o->underfeed_bar,
-                           "feed pressure under which it is underfeed, bar; beats --rig");
+                           "feed pressure under which it is underfeed; beats --rig");
   o->overfeed =
-      threshold("--overfeed", o->overfeed_bar, "feed pressure over which it is overfeed, bar; beats --rig");
+      threshold("--overfeed", o->overfeed_bar, "feed pressure over which it is overfeed; beats --rig");
   verb.option("--title", o->timeline.title, "over the picture (default: the name of the sound)");
-  verb.option("--width", o->timeline.width, "of the picture, pixels")
+  verb.option("--width", o->timeline.width, "of the picture")
       .shows_default()
-      .range(analysis::kMinTimelineWidth, analysis::kMaxTimelineSide);
-  verb.option("--height", o->timeline.height, "of the picture, pixels")
+      .range(analysis::kMinTimelineWidth, analysis::kMaxTimelineSide, "pixels");
+  verb.option("--height", o->timeline.height, "of the picture")
       .shows_default()
-      .range(analysis::kMinTimelineHeight, analysis::kMaxTimelineSide);
+      .range(analysis::kMinTimelineHeight, analysis::kMaxTimelineSide, "pixels");
   verb.callback([o] { draw(*o); });
   verb.details(
       "Situations are coloured and named by the engine's own rule, hysteresis included. Signals that the "

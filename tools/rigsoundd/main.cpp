@@ -64,8 +64,8 @@ int main(int argc, char** argv) {
   verb.option("--session", session,
               "write what happens to FILE; older ones become NAME.1.EXT, NAME.2.EXT, NAME.3.EXT")
       .type("FILE");
-  verb.option("--session-limit", limit_mb, "MB that all session files together may take")
-      .range(0.01, 1e6)
+  verb.option("--session-limit", limit_mb, "size that all session files together may take")
+      .range(0.01, 1e6, "MB")
       .shows_default();
   verb.flag("--manual", manual, "open no bus: signals are what `rigsound ctl set` says");
   verb.details(

@@ -103,9 +103,9 @@ analysis::LearnedDiesel learn(const std::vector<analysis::DieselTake>& takes, co
 
 void add_learning_options(cli::Verb& verb, LearningOptions& o) {
   verb.positional("IN.wav", o.inputs, "recordings of one diesel, each at one speed or with its speed track");
-  const cli::Option rpm = verb.option("--rpm", o.rpm, "r/min of each recording, within 3 %")
+  const cli::Option rpm = verb.option("--rpm", o.rpm, "speed of each recording, within 3 %")
                               .separated_by_commas()
-                              .range(kSlowest_rpm, kFastest_rpm);
+                              .range(kSlowest_rpm, kFastest_rpm, "r/min");
   verb.option("--rpm-track", o.rpm_tracks, "CSV time_s,rpm of each recording").excludes(rpm);
   verb.option("--load", o.load, "engine load of each recording").separated_by_commas().range(0, 1);
   verb.option("--name", o.name, "name of the background (default: that of the first recording)");
@@ -113,9 +113,9 @@ void add_learning_options(cli::Verb& verb, LearningOptions& o) {
               "CSV of `rigsound clicks`: the impacts in each recording, not listened to");
   verb.option("--grains", o.settings.grains, "cycles to keep for the high layer, from clean recordings")
       .value_or("48")
-      .range(48, 1000);
-  verb.option("--crossover", o.settings.crossover_hz, "Hz, between the low and the high layer")
-      .range(200, 800);
+      .range(48, 1000, "cycles");
+  verb.option("--crossover", o.settings.crossover_hz, "between the low and the high layer")
+      .range(200, 800, "Hz");
   verb.option("--start", o.start, "recording of the diesel being started, kept as it is");
   verb.option("--stop", o.stop, "recording of the diesel dying away, kept as it is");
   verb.flag("--formula", o.formula, "the built-in diesel instead of recordings");

@@ -24,10 +24,10 @@ void write_resynthesis(const ResynthesisOptions& o, const DieselModel& model) {
 void add_resynthesis_options(cli::Verb& verb, ResynthesisOptions& o) {
   const cli::Option file =
       verb.option("--resynth", o.file, "sound to write (.wav, .flac or .ogg): the model played by the engine's own voice");
-  verb.option("--seconds", o.seconds, "length of it").shows_default().range(0.1, 36000).needs(file);
+  verb.option("--seconds", o.seconds, "length of it").shows_default().range(0.1, 36000, "s").needs(file);
   const cli::Option rpm =
-      verb.option("--resynth-rpm", o.rpm, "its speed, r/min (default: the first recording's)")
-          .range(1, 4000)
+      verb.option("--resynth-rpm", o.rpm, "its speed (default: the first recording's)")
+          .range(1, 4000, "r/min")
           .needs(file);
   verb.option("--resynth-track", o.track, "CSV time_s,rpm: its course of speed").needs(file).excludes(rpm);
   verb.option("--resynth-load", o.load, "its load").range(0, 1).needs(file);

@@ -124,7 +124,7 @@ void add_drill_string_options(cli::Verb& verb, DrillStringOptions& o, const cli:
     return verb.option(name, value, help).needs(string).group("Drill string");
   };
   add("--rods", m.rods, "on the string").range(1, kMaxRods).shows_default();
-  add("--exposed", o.exposed_m, "length of the upper rod outside the hole, m [all of it]").at_least(0.01);
+  add("--exposed", o.exposed_m, "length of the upper rod outside the hole [all of it]").at_least(0.01, "m");
   add("--rock", o.rock,
       "what the bit stands on: a [[rock]] of the sound set, or an order of magnitude: " + usual_rocks())
       .shows_default();

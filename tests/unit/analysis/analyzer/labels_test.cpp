@@ -75,6 +75,21 @@ TEST_CASE("a byte order mark is no part of the first number") {
   CHECK(read_labels(file.path()).at(0).start_s == 0.5);
 }
 
+TEST_CASE("a value out of its range is told with the range and its unit") {
+  const auto ends_in = [](const char* text, const std::string& end) {
+    const std::string complaint = LabelFile(text).complaint();
+    INFO(complaint);
+    return complaint.size() > end.size() && complaint.compare(complaint.size() - end.size(), end.size(), end) == 0;
+  };
+  CHECK(ends_in("0\t1\tnormal rods=25\n", "rods: is 25, expected 1...20"));
+  CHECK(ends_in("0\t1\tnormal rods=2.5\n", "rods: is 2.5, expected a whole number, 1...20"));
+  CHECK(ends_in("0\t1\tnormal rpm=9000\n", "rpm: is 9000 r/min, expected 1...4000 r/min"));
+  CHECK(ends_in("0\t1\tnormal feed=301\n", "feed: is 301 bar, expected 1...300 bar"));
+  CHECK(ends_in("0\t1\tnormal percussion=0\n", "percussion: is 0 bar, expected 1...300 bar"));
+  CHECK(ends_in("-1\t1\tnormal\n", "start: is -1 s, expected 0...1000000 s"));
+  CHECK(ends_in("0\t1\tnormal feed=much\n", "feed: 'much' is no number, expected 1...300 bar"));
+}
+
 TEST_CASE("every mistake is told with its line and key") {
   CHECK(complains("0\t1\tnormal\n1\t2\tnormall\n", 2, "situation"));
   CHECK(complains("0\t1\t\n", 1, "situation"));

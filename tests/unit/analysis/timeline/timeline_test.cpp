@@ -170,7 +170,7 @@ TEST_CASE("a wrong states file is named with its line, and no picture is left") 
       {"time,signal,value\n", ":1: is no heading"},
       {"time_s,signal,value\n0,engine_rpm,800\n1,engine_rmp,900\n", ":3: signal: 'engine_rmp' is no signal"},
       {"time_s,signal,value\n0,engine_rpm,fast\n", ":2: engine_rpm: 'fast' is no value of it"},
-      {"time_s,signal,value\n0,engine_rpm,9000\n", ":2: engine_rpm: '9000' is no value of it"},
+      {"time_s,signal,value\n0,engine_rpm,9000\n", ":2: engine_rpm: '9000' is no value of it, expected 0...4000 r/min"},
       {"time_s,signal,value\n0,rattling,ajar\n",
        ":2: rattling: 'ajar' is no value of it, expected one of none|closed|open"},
       {"time_s,signal,value\n2,engine_rpm,800\n1,engine_rpm,900\n", ":3: time_s: falls back"},

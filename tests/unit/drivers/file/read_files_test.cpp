@@ -16,11 +16,12 @@ TEST_CASE("an input is refused as output by its name, through links and inside a
   const fs::path set = folder.path / "set";
   fs::create_symlink(recording, folder.path / "soft.wav");
   fs::create_hard_link(recording, folder.path / "hard.wav");
+  fs::create_hard_link(clicks, folder.path / "hard_clicks.wav");
   fs::create_directory_symlink(set, folder.path / "other_set");
   const std::vector<fs::path> inputs = {recording, set, "", folder.path / "not_there.csv"};
   for (const fs::path& output :
        {recording, folder.path / "soft.wav", folder.path / "hard.wav", folder.path / "set/../in.wav", clicks,
-        folder.path / "other_set/banks/a/clicks.wav", folder.path / "not_there.csv", set})
+        folder.path / "other_set/banks/a/clicks.wav", folder.path / "not_there.csv", folder.path / "hard_clicks.wav", set})
     CHECK_THROWS_AS_MESSAGE(require_apart({output}, inputs), InputError, output.string());
   for (const fs::path& output : {folder.path / "out.wav", set / "banks/a/new.wav", fs::path()})
     CHECK_NOTHROW(require_apart({output}, inputs));
