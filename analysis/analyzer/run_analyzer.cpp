@@ -98,25 +98,6 @@ class Announcer {
   int analysed_ = 0, total_;
 };
 
-/// Laws that soundset.toml has not got yet become `additions`; of others that differ a note is made.
-void add_laws(const fs::path& sound_set, config::SoundSetIndex& additions, std::vector<std::string>& notes) {
-  constexpr double kSame = 0.1;  // within 100 bar: 0.9 dB, or a tenth of a decay time
-  const std::string file = (sound_set / "soundset.toml").string();
-  const config::SoundSetIndex index = config::load_index(sound_set);
-  for (const SeriesLaws& fitted : laws_of_set(sound_set)) {
-    const auto known = std::find_if(index.laws.begin(), index.laws.end(), [&](const config::LawsEntry& l) {
-      return l.laws.rods == fitted.entry.laws.rods && l.rock == fitted.entry.rock;
-    });
-    if (known == index.laws.end()) {
-      additions.laws.push_back(fitted.entry);
-      notes.push_back(file + ": laws of " + laws_text(fitted));
-    } else if (difference(known->laws, fitted.entry.laws) > kSame) {
-      notes.push_back(file + ": its [[laws]] are kept, but the banks say other: " + laws_text(fitted) +
-                      "; remove the entry to have it written anew");
-    }
-  }
-}
-
 void merge(const std::vector<AnalysedPart>& banks, const AnalyzerOptions& options,
            std::vector<std::string>& notes) {
   const fs::path& sound_set = options.sound_set;
@@ -133,9 +114,7 @@ void merge(const std::vector<AnalysedPart>& banks, const AnalyzerOptions& option
   lock.wait_exclusive();
   config::merge_index(sound_set, additions);
   if (options.shards > 1) return;  // a later run over all parts keeps their banks and sees every series whole
-  config::SoundSetIndex laws;
-  add_laws(sound_set, laws, notes);
-  config::merge_index(sound_set, laws);
+  add_laws(sound_set, (sound_set / "soundset.toml").string(), notes);
 }
 
 }  // namespace

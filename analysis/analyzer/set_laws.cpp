@@ -76,4 +76,23 @@ double difference(const FeedLaws& a, const FeedLaws& b) {
                    std::fabs(a.amplitude_variation - b.amplitude_variation)});
 }
 
+void add_laws(const fs::path& sound_set, const std::string& file, std::vector<std::string>& notes) {
+  constexpr double kSame = 0.1;  // within 100 bar: 0.9 dB, or a tenth of a decay time
+  const config::SoundSetIndex index = config::load_index(sound_set);
+  config::SoundSetIndex additions;
+  for (const SeriesLaws& fitted : laws_of_set(sound_set)) {
+    const auto known = std::find_if(index.laws.begin(), index.laws.end(), [&](const config::LawsEntry& l) {
+      return l.laws.rods == fitted.entry.laws.rods && l.rock == fitted.entry.rock;
+    });
+    if (known == index.laws.end()) {
+      additions.laws.push_back(fitted.entry);
+      notes.push_back(file + ": laws of " + laws_text(fitted));
+    } else if (difference(known->laws, fitted.entry.laws) > kSame) {
+      notes.push_back(file + ": its [[laws]] are kept, but the banks say other: " + laws_text(fitted) +
+                      "; remove the entry to have it written anew");
+    }
+  }
+  config::merge_index(sound_set, additions);
+}
+
 }  // namespace rigsound::analysis

@@ -9,6 +9,8 @@ import sys
 import tempfile
 import unittest
 
+from sound_set import write_sound_set
+
 RIGSOUND = sys.argv[1]
 
 
@@ -60,6 +62,87 @@ class SlurmArray(Case):
         result = self.run_verb('analyze', self.recordings, '--out', self.folder / 'set', '--shard', 'auto')
         self.assertEqual(result.returncode, 2)
         self.assertIn('--shard: auto: SLURM_ARRAY_TASK_ID is not set, expected a task of a Slurm array', result.stderr)
+
+
+class Merge(Case):
+    def shards(self):
+        """One sound set in two halves, as two shards leave it: no half serves every situation."""
+        whole = write_sound_set(self.folder / 'whole')
+        text = (whole / 'soundset.toml').read_text()
+        entries = re.findall(r'\[\[bank\]\]\nname = "(\w+)"\nsituation = "\w+"\n', text)
+        halves = []
+        for i, names in enumerate((entries[:2], entries[2:])):
+            half = self.folder / f'half{i}'
+            shutil.copytree(whole, half)
+            lines = ['format = 1', '[[rock]]', f'name = "rock{i}"']
+            for name in set(entries) - set(names):
+                shutil.rmtree(half / 'banks' / name)
+            for name in names:
+                lines += ['[[bank]]', f'name = "{name}"', f'situation = "{name}"', f'rock = "rock{i}"']
+            (half / 'soundset.toml').write_text('\n'.join(lines) + '\n')
+            halves.append(half)
+        return halves, entries
+
+    def banks(self, sound_set):
+        return {path.relative_to(sound_set): path.read_bytes() for path in (sound_set / 'banks').rglob('*') if path.is_file()}
+
+    def test_two_halves_are_one_set_that_plays(self):
+        halves, names = self.shards()
+        out = self.folder / 'out'
+        result = self.run_verb('merge', *halves, '--out', out)
+        self.assertEqual((result.returncode, result.stdout), (0, f'{out} banks=5 tools=0 backgrounds=0 sets=2\n'), result.stderr)
+        self.assertEqual(self.banks(out), {**self.banks(halves[0]), **self.banks(halves[1])})
+        index = (out / 'soundset.toml').read_text()
+        self.assertEqual(sorted(re.findall(r'^name = "([a-z_]+)"$', index, re.M)), sorted(names))
+        self.assertEqual(re.findall(r'"(rock\d)"', index)[:2], ['rock0', 'rock1'])
+        rig = self.folder / 'rig.toml'
+        rig.write_text('[sound]\nset = "out"\n')
+        self.assertEqual(self.run_verb('check', rig).returncode, 0)
+        again = self.run_verb('merge', *halves, '--out', out)  # nothing new, nothing twice
+        self.assertEqual((again.returncode, (out / 'soundset.toml').read_text()), (0, index), again.stderr)
+
+    def test_what_is_there_stays(self):
+        halves, _ = self.shards()
+        out = self.folder / 'out'
+        shutil.copytree(halves[0], out)
+        text = '# mine\n' + (out / 'soundset.toml').read_text()
+        (out / 'soundset.toml').write_text(text)
+        (out / 'notes.txt').write_text('mine')
+        before = self.banks(halves[1])
+        self.assertEqual(self.run_verb('merge', halves[1], '--out', out).returncode, 0)
+        self.assertTrue((out / 'soundset.toml').read_text().startswith(text))
+        self.assertEqual((out / 'notes.txt').read_text(), 'mine')
+        self.assertEqual(len({path.parts[1] for path in self.banks(out)}), 5)
+        self.assertEqual(self.banks(halves[1]), before)
+
+    def test_conflicts_are_one_line_and_nothing_is_written(self):
+        halves, names = self.shards()
+        other = self.folder / 'other'
+
+        def changed(change):
+            shutil.rmtree(other, ignore_errors=True)
+            shutil.copytree(halves[0], other)
+            change()
+        index, bank = other / 'soundset.toml', other / 'banks' / names[0]
+        replaced = lambda file, old, new: file.write_text(file.read_text().replace(old, new, 1))
+        for change, part in (
+                (lambda: replaced(bank / 'bank.json', '"N_a": 10', '"N_a": 11'), f'{bank}: differs from {halves[0] / "banks" / names[0]}'),
+                (lambda: replaced(index, f'situation = "{names[0]}"', f'situation = "{names[0]}"\nrods = 3'),
+                 f'{index}: bank: {names[0]} is described in another way'),
+                (lambda: replaced(index, 'name = "rock0"', 'name = "rock0"\nstiffness = 5e8'), f'{index}: rock: rock0 is described in another way'),
+                (lambda: (bank / 'clicks.wav').write_bytes(b''), 'clicks.wav: '),
+                (lambda: shutil.rmtree(bank), f'{bank}: is no bank folder')):
+            changed(change)
+            for out, there in ((self.folder / 'new', False), (halves[1], True)):
+                before = self.banks(halves[1])
+                result = self.run_verb('merge', halves[0], other, '--out', out)
+                self.assertEqual((result.returncode, result.stdout, result.stderr.count('\n')), (1, '', 1), result.stderr)
+                self.assertIn(part, result.stderr)
+                self.assertEqual((out.exists(), self.banks(halves[1])), (there, before))
+        for words in ([halves[0], '--out', halves[0]], [self.folder / 'absent', '--out', self.folder / 'new']):
+            result = self.run_verb('merge', *words)
+            self.assertEqual((result.returncode, result.stderr.count('\n')), (1, 1), result.stderr)
+        self.assertEqual([path.name for path in self.folder.rglob('.*')], [])
 
 
 unittest.main(argv=sys.argv[:1])

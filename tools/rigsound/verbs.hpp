@@ -23,6 +23,7 @@ void add_record(cli::Verb& program);
 void add_render(cli::Verb& program);
 void add_replay(cli::Verb& program);
 void add_resynth(cli::Verb& program);
+void add_merge(cli::Verb& program);
 void add_pack(cli::Verb& program);
 void add_simulate(cli::Verb& program);
 void add_timeline(cli::Verb& program);
