@@ -52,7 +52,8 @@ void set_key(const Place& place, const std::string& word, Label& label) {
     label.rpm = number(place, key, value, kLabelSpeeds);
   } else if (key == "feed" || key == "percussion") {
     const Range& all = config::kRecordedPressures;  // with the 0 of one that was not recorded
-    (key == "feed" ? label.feed_bar : label.percussion_bar) = number(place, key, value, {all.min, all.max, all.unit});
+    (key == "feed" ? label.feed_bar : label.percussion_bar) =
+        number(place, key, value, {all.min, all.max, all.unit});
   } else if (key == "rock") {
     const auto odd = [](unsigned char c) { return !std::isalnum(c) && c != '_' && c != '-' && c != '.'; };
     if (value.empty() || value[0] == '.' || std::any_of(value.begin(), value.end(), odd))

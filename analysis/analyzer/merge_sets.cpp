@@ -72,8 +72,9 @@ void require_agreement(const char* kind, const std::vector<Entry>& there, const 
         else
           which = entry.name;
         throw InputError(file.string(), 0, kind,
-                         which + " is described in another way than in the sets before, expected the same or "
-                                 "another name");
+                         which +
+                             " is described in another way than in the sets before, expected the same or "
+                             "another name");
       }
 }
 
@@ -143,7 +144,8 @@ MergedSets merge_sets(const std::vector<fs::path>& sets, const fs::path& out) {
   if (fs::exists(out, error)) {
     config::load_index(out);
     // Whatever is written here is renamed into place, so that no file of the old folder changes.
-    fs::copy(out, folder.temporary(), fs::copy_options::recursive | fs::copy_options::create_hard_links, error);
+    fs::copy(out, folder.temporary(), fs::copy_options::recursive | fs::copy_options::create_hard_links,
+             error);
     if (error) throw DeviceError(out.string() + ": cannot be copied: " + error.message());
   }
   Join join(folder.temporary(), out);

@@ -11,9 +11,9 @@ namespace rigsound::analysis {
 
 struct PartList {
   std::vector<std::filesystem::path> read;  ///< recordings, labels, bus logs, rig and its DBC files
-  std::vector<Part> parts;            ///< sorted by recording as given, then by label
-  std::vector<std::string> failures;  ///< recordings whose labels cannot be used
-  std::vector<std::string> notes;     ///< labels that look wrong
+  std::vector<Part> parts;                  ///< sorted by recording as given, then by label
+  std::vector<std::string> failures;        ///< recordings whose labels cannot be used
+  std::vector<std::string> notes;           ///< labels that look wrong
 };
 
 /// Bank names are STEM for a whole recording and STEM_STARTms for a labelled part, so that adding labels does

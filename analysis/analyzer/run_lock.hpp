@@ -8,8 +8,8 @@
 
 namespace rigsound::analysis {
 
-/// A folder that is made if need be, and goes again with the object, or when a signal ends the program, if it was
-/// made and nothing came into it. Errors: DeviceError. Thread: OFF.
+/// A folder that is made if need be, and goes again with the object, or when a signal ends the program, if it
+/// was made and nothing came into it. Errors: DeviceError. Thread: OFF.
 class MadeFolder {
  public:
   explicit MadeFolder(const std::filesystem::path& folder);

@@ -26,8 +26,9 @@ std::string laws_text(const SeriesLaws& laws);
 /// How far apart two laws take the sound within 100 bar, in nepers: the largest of their differences.
 double difference(const FeedLaws& a, const FeedLaws& b);
 
-/// Adds laws that soundset.toml has not got yet, and makes a note of them and of others that differ. `file`: what
-/// the notes call soundset.toml. Errors: InputError, DeviceError. Thread: OFF.
-void add_laws(const std::filesystem::path& sound_set, const std::string& file, std::vector<std::string>& notes);
+/// Adds laws that soundset.toml has not got yet, and makes a note of them and of others that differ. `file`:
+/// what the notes call soundset.toml. Errors: InputError, DeviceError. Thread: OFF.
+void add_laws(const std::filesystem::path& sound_set, const std::string& file,
+              std::vector<std::string>& notes);
 
 }  // namespace rigsound::analysis

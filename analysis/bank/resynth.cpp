@@ -20,7 +20,7 @@ BankPlayer player_of(const ClickBank& bank, std::uint64_t seed) {
 }  // namespace
 
 Resynthesis resynthesise(const ClickBank& bank, double seconds, std::uint64_t seed,
-                         const DrillControls& controls) {
+                         const DrillControls& controls, const Progress& progress) {
   BankPlayer player = player_of(bank, seed);
   const auto frames = static_cast<std::size_t>(std::llround(seconds * bank.sample_rate));
   Resynthesis result;
@@ -28,6 +28,7 @@ Resynthesis resynthesise(const ClickBank& bank, double seconds, std::uint64_t se
   double chunk[kChunk];
   while (result.sound.size() < frames) {
     const auto start = static_cast<double>(result.sound.size());
+    if (progress) progress(start / static_cast<double>(frames));
     player.process(controls, chunk);
     for (const Impact& impact : player.impacts())
       result.impacts.push_back({start + impact.onset, impact.amplitude});

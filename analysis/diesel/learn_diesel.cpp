@@ -217,19 +217,27 @@ void add_hydraulics(const std::vector<Section>& sections, DieselModel& model) {
 
 }  // namespace
 
-LearnedDiesel learn_diesel(const std::vector<DieselTake>& takes, const DieselSettings& settings) {
+LearnedDiesel learn_diesel(const std::vector<DieselTake>& takes, const DieselSettings& settings,
+                           const Progress& progress) {
+  constexpr double kTracked =
+      0.3;  // of the time, roughly, is the crank's; then come four rounds over the sections
   LearnedDiesel learned;
   DieselModel& model = learned.model;
-  const std::vector<Section> sections = sections_of(takes, learned.warnings);
+  const std::vector<Section> sections = sections_of(takes, learned.warnings, part_of(progress, 0, kTracked));
   set_shape(sections, settings, model);
 
   const int order = settings.order > 0 ? settings.order : body_order(sections);
   std::vector<Work> work(sections.size());
+  double done = 0;
+  const auto step = [&, rest = part_of(progress, kTracked, 1)] {
+    if (rest) rest(++done / (4 * static_cast<double>(work.size())));
+  };
   for (std::size_t i = 0; i < work.size(); ++i) {
     work[i].section = &sections[i];
     work[i].block = cycles_of(sections[i], sections[i].x, 0, model.angle_samples);
     work[i].orders =
         orders_of(work[i].block, 0, work[i].block.cycles, last_order(sections[i], model.angle_samples));
+    step();
   }
   const std::vector<double> origins = crank_origins(work);
   std::vector<OrderLevels> moments;
@@ -241,11 +249,13 @@ LearnedDiesel learn_diesel(const std::vector<DieselTake>& takes, const DieselSet
     w.orders = orders_of(w.block, 0, w.block.cycles, last);
     add_moments(w, last, moments);
     subtract_orders(w);
+    step();
   }
   model.oscillators = subtract_lines(model.angle_samples, work);
   for (Work& w : work) {
     split_high(model.crossover_hz, w);
     autocorrelations.push_back(body_autocorrelation(w.high, w.section->open, w.section->nyquist_hz, order));
+    step();
   }
   model.body = fit_body(moments);
   const std::vector<double> A = common_body(autocorrelations);
@@ -259,6 +269,7 @@ LearnedDiesel learn_diesel(const std::vector<DieselTake>& takes, const DieselSet
     learn_noise(model, settings.grains, w);
     learned.points.push_back(report_of(w));
     model.points.push_back(std::move(w.point));
+    step();
   }
   add_hydraulics(sections, model);
   return learned;

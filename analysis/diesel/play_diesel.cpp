@@ -6,7 +6,7 @@
 namespace rigsound::analysis {
 
 std::vector<float> play_diesel(const DieselModel& model, const std::vector<double>& rpm, double load,
-                               double feed, unsigned seed) {
+                               double feed, unsigned seed, const Progress& progress) {
   constexpr double kSettle_s = 1.5;  // the engine spins up before the first sample
   DieselPlayer player(model, kAnalysisRate, seed);
   double chunk[kChunk];
@@ -16,6 +16,7 @@ std::vector<float> play_diesel(const DieselModel& model, const std::vector<doubl
   out.reserve(rpm.size() + kChunk);
   for (std::size_t n = 0; n < rpm.size(); n += kChunk) {
     player.process({rpm[n], load, feed}, chunk);
+    if (progress) progress(static_cast<double>(n) / static_cast<double>(rpm.size()));
     for (const double v : chunk) out.push_back(static_cast<float>(v));
   }
   out.resize(rpm.size());

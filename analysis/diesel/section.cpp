@@ -113,13 +113,15 @@ std::vector<std::size_t> cuts(const DieselTake& take, const std::vector<double>&
 
 double Section::f0() const { return speed(theta, 0, theta.size()); }
 
-std::vector<Section> sections_of(const std::vector<DieselTake>& takes, std::vector<std::string>& warnings) {
+std::vector<Section> sections_of(const std::vector<DieselTake>& takes, std::vector<std::string>& warnings,
+                                 const Progress& progress) {
   std::vector<Section> sections;
   for (std::size_t i = 0; i < takes.size(); ++i) {
     const DieselTake& take = takes[i];
     warn_of_clipping(take, warnings);
     const std::vector<double> x(take.mono.begin(), take.mono.end());
     const CrankTrack track = track_of(take, x);
+    if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(takes.size()));
     require_tracked(take, track, warnings);
     const std::vector<char> open = open_samples(take);
     const std::vector<std::size_t> ends = cuts(take, track.theta);

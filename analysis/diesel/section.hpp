@@ -23,7 +23,8 @@ struct Section {
 
 /// Tracks every take and cuts run-ups where the speed has changed by 12 %. Adds to `warnings`.
 /// Errors: InputError. Thread: OFF.
-std::vector<Section> sections_of(const std::vector<DieselTake>& takes, std::vector<std::string>& warnings);
+std::vector<Section> sections_of(const std::vector<DieselTake>& takes, std::vector<std::string>& warnings,
+                                 const Progress& progress = {});
 
 /// A section cut into whole cycles from a common crank origin.
 struct CycleBlock {

@@ -78,14 +78,12 @@ std::vector<float> read_mixed_down(SNDFILE* sound, int channels, const Frames& f
   return mono;
 }
 
-void check_samples(const std::string& file, const std::vector<float>& mono, sf_count_t begin,
-                   int rate) {
+void check_samples(const std::string& file, const std::vector<float>& mono, sf_count_t begin, int rate) {
   const auto bad = std::find_if(mono.begin(), mono.end(), [](float x) { return !std::isfinite(x); });
   if (bad != mono.end()) {
     const auto at = begin + (bad - mono.begin());
-    throw InputError(file,
-                     fmt::format("sample {} ({:.3f} s) is not a number, expected finite samples", at,
-                                 static_cast<double>(at) / rate));
+    throw InputError(file, fmt::format("sample {} ({:.3f} s) is not a number, expected finite samples", at,
+                                       static_cast<double>(at) / rate));
   }
 }
 

@@ -67,7 +67,9 @@ std::string write_situation(const fs::path& folder, const fs::path& place, const
 
 }  // namespace
 
-std::vector<std::string> write_situations(const fs::path& folder, std::uint64_t seed, double seconds) {
+std::vector<std::string> write_situations(const fs::path& folder, std::uint64_t seed, double seconds,
+                                          const Progress& progress) {
+  constexpr double kDiesel = 0.4;  // of the work, roughly
   make_folder(folder / "truth");
   make_folder(folder / "engine");
   std::vector<std::string> lines;
@@ -75,6 +77,7 @@ std::vector<std::string> write_situations(const fs::path& folder, std::uint64_t 
     const auto situation = static_cast<Situation>(i);
     lines.push_back(write_situation(folder, {}, std::string(name(situation)),
                                     simulate_situation(situation, seed, seconds)));
+    if (progress) progress((1 - kDiesel) * (i + 1) / kSituationCount);
   }
   for (std::string& line : write_diesel(folder, {seed})) lines.push_back(std::move(line));
   return lines;
@@ -87,18 +90,22 @@ std::vector<std::string> write_feed_ramp(const fs::path& folder, std::uint64_t s
 }
 
 std::vector<std::string> write_rods(const fs::path& folder, std::uint64_t seed,
-                                    const std::vector<int>& counts, double seconds) {
+                                    const std::vector<int>& counts, double seconds,
+                                    const Progress& progress) {
   make_folder(folder / "truth");
   make_folder(folder / "rods");
   std::vector<std::string> lines;
   for (const int rods : counts)
-    for (const Situation s : {Situation::kUnderfeed, Situation::kNormal, Situation::kOverfeed})
+    for (const Situation s : {Situation::kUnderfeed, Situation::kNormal, Situation::kOverfeed}) {
       lines.push_back(write_situation(folder, "rods", fmt::format("rods{}_{}", rods, name(s)),
                                       simulate_situation(s, seed, seconds, rods)));
+      if (progress) progress(static_cast<double>(lines.size()) / (3 * static_cast<double>(counts.size())));
+    }
   return lines;
 }
 
-std::vector<std::string> write_drillbench(const fs::path& folder, const DrillBenchRequest& request) {
+std::vector<std::string> write_drillbench(const fs::path& folder, const DrillBenchRequest& request,
+                                          const Progress& progress) {
   std::vector<double> ratios;
   for (const std::string& text : request.snr_db) ratios.push_back(number(text));
   for (const int id : request.ids)
@@ -121,6 +128,7 @@ std::vector<std::string> write_drillbench(const fs::path& folder, const DrillBen
     lines.push_back(fmt::format("c{:03} clicks={} T_0={:.2f} N_a={:.0f} alpha_a={:.6g} alpha_d={:.6g}", id,
                                 clip.clicks.size(), clip.T0, clip.envelope.attack_samples,
                                 clip.envelope.attack_bend, clip.envelope.decay));
+    if (progress) progress(static_cast<double>(lines.size()) / static_cast<double>(request.ids.size()));
   }
   return lines;
 }

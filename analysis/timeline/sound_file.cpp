@@ -15,7 +15,8 @@ SoundFile read_sound(const std::filesystem::path& file) {
   constexpr sf_count_t kFramesAtOnce = 65536;
   const InputFile input(file, "sound file");
   SF_INFO format{};
-  const std::unique_ptr<SNDFILE, int (*)(SNDFILE*)> in(sf_open(input.path().c_str(), SFM_READ, &format), sf_close);
+  const std::unique_ptr<SNDFILE, int (*)(SNDFILE*)> in(sf_open(input.path().c_str(), SFM_READ, &format),
+                                                       sf_close);
   if (!in) throw InputError(input.name(), std::string("cannot be read: ") + sf_strerror(nullptr));
   SoundFile sound{{}, format.samplerate, format.channels, 0};
   std::vector<float> frames(static_cast<std::size_t>(kFramesAtOnce * format.channels));

@@ -137,12 +137,15 @@ class Comparison {
 
 /// Decays, mix, pulse width and high-pass: the best of searches that start from short, middle and long
 /// decays.
-void fit_decays(Comparison& comparison, ToolModel& model) {
+void fit_decays(Comparison& comparison, ToolModel& model, const Progress& progress) {
+  constexpr int kEach = 400, kFiner = 1200, kAll = 4 * kEach + 2 * kFiner;  // evaluations, at most
+  int done = 0;
   ToolModel trial = model;
   trial.designs = {design_tool(model, kAnalysisRate)};
   const auto cost = [&](const std::vector<double>& u) {
     set(trial, u);
     put_decays(trial, trial.designs.front());
+    if (progress) progress(std::min(1.0, static_cast<double>(++done) / kAll));
     return comparison.cost(comparison.profile(trial));
   };
   SimplexOptions options;
@@ -154,18 +157,21 @@ void fit_decays(Comparison& comparison, ToolModel& model) {
   }
   std::vector<double> best = start;
   double least = 1e18;
+  int stage_end = 0;
   for (const double loss : {0.15, 0.05, 0.015, 0.004}) {
     std::vector<double> u = start;
     u[kLossT] = u[kLossL] = std::log(loss);
-    options.evaluations = 400;
+    options.evaluations = kEach;
     u = nelder_mead(cost, u, options);
     if (const double c = cost(u); c < least) least = c, best = u;
+    done = std::max(done, stage_end += kEach);  // a search that ended early
   }
   for (const double shrink : {0.5, 0.25}) {
     SimplexOptions finer = options;
     for (double& step : finer.step) step *= shrink;
-    finer.evaluations = 1200;
+    finer.evaluations = kFiner;
     best = nelder_mead(cost, best, finer);
+    done = std::max(done, stage_end += kFiner);
   }
   set(model, best);
 }
@@ -227,7 +233,8 @@ Bar steel_of(const RecordedImpact& impact, const std::string& file, const Bar& g
 
 }  // namespace
 
-ToolFit fit_tool(const Recording& recording, const std::string& file, const ToolFitOptions& options) {
+ToolFit fit_tool(const Recording& recording, const std::string& file, const ToolFitOptions& options,
+                 const Progress& progress) {
   const auto impact = strongest_impact(recording.mono);
   if (!impact)
     throw InputError(file, "no impact stands out, expected the recorded sound of an impact on a steel");
@@ -238,7 +245,7 @@ ToolFit fit_tool(const Recording& recording, const std::string& file, const Tool
   fit.model.bar = steel_of(*impact, file, {options.length_m, options.diameter_m}, highest_hz, fit);
   require_valid(fit.model, kAnalysisRate);
   Comparison comparison(*impact, highest_hz);
-  fit_decays(comparison, fit.model);
+  fit_decays(comparison, fit.model, progress);
   make_tunable(fit.model);
   std::vector<double> centres;
   for (const std::size_t b : comparison.used()) centres.push_back(comparison.centre_hz(b));

@@ -99,8 +99,8 @@ void SoundWriter::write_integers(const unsigned char* bytes, std::size_t samples
   const std::size_t each = bytes_per_sample(format_.samples);
   integers_.assign(samples, 0);
   for (std::size_t i = 0; i < samples; ++i)
-    std::memcpy(reinterpret_cast<unsigned char*>(&integers_[i]) + (sizeof(std::int32_t) - each), bytes + i * each,
-                each);
+    std::memcpy(reinterpret_cast<unsigned char*>(&integers_[i]) + (sizeof(std::int32_t) - each),
+                bytes + i * each, each);
   require_all(sf_write_int(sound_.get(), integers_.data(), static_cast<sf_count_t>(samples)), samples);
 }
 

@@ -39,9 +39,10 @@ bool FileLock::lock(int operation) {
 }
 
 bool FileLock::is_the_file() const {
-  struct stat ours {}, named {};
-  return ::fstat(fd_.get(), &ours) == 0 && ::stat(file_.c_str(), &named) == 0 && ours.st_dev == named.st_dev &&
-         ours.st_ino == named.st_ino;
+  struct stat ours {
+  }, named{};
+  return ::fstat(fd_.get(), &ours) == 0 && ::stat(file_.c_str(), &named) == 0 &&
+         ours.st_dev == named.st_dev && ours.st_ino == named.st_ino;
 }
 
 void FileLock::remove_if_free() const {

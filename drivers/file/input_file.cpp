@@ -37,7 +37,8 @@ InputFile::InputFile(const std::filesystem::path& file, std::string_view kind)
   if (!fd) throw InputError(name_, "cannot be opened, expected a readable " + std::string(kind));
   struct stat status {};
   const bool known = ::fstat(fd.get(), &status) == 0;
-  if (known && S_ISDIR(status.st_mode)) throw InputError(name_, "is a folder, expected a " + std::string(kind));
+  if (known && S_ISDIR(status.st_mode))
+    throw InputError(name_, "is a folder, expected a " + std::string(kind));
   if (!standard_input && known && S_ISREG(status.st_mode)) return;
   copy_ = copy_of_pipe(fd, name_);
   path_ = "/proc/self/fd/" + std::to_string(copy_.get());

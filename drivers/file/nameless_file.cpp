@@ -26,8 +26,7 @@ void write_all(int fd, const char* bytes, std::size_t size) {
   while (size > 0) {
     const ssize_t wrote = ::write(fd, bytes, size);
     if (wrote < 0 && errno == EINTR) continue;
-    if (wrote < 0)
-      throw DeviceError(std::string("no room for a copy of the input: ") + std::strerror(errno));
+    if (wrote < 0) throw DeviceError(std::string("no room for a copy of the input: ") + std::strerror(errno));
     bytes += wrote;
     size -= static_cast<std::size_t>(wrote);
   }

@@ -88,8 +88,8 @@ std::string left_over(const CLI::App& app, const std::vector<std::string>& rest)
   return unknown("option", option->substr(0, option->find('=')), known);
 }
 
-/// What is said when a verb, a command of one or an option is unknown, or the verb is missing; empty when that
-/// is not the fault.
+/// What is said when a verb, a command of one or an option is unknown, or the verb is missing; empty when
+/// that is not the fault.
 std::string unknown_word(const CLI::App& program) {
   const CLI::App& app = deepest(program);
   const std::vector<std::string> rest = program.remaining(true);
@@ -196,7 +196,8 @@ Option Option::shows_default() {
   return *this;
 }
 Option Option::range(double low, double high, const std::string& unit) {
-  const std::string accepted = number_text(low) + "..." + number_text(high) + (unit.empty() ? "" : " " + unit);
+  const std::string accepted =
+      number_text(low) + "..." + number_text(high) + (unit.empty() ? "" : " " + unit);
   option_->check(CLI::Validator(
       [=](const std::string& text) { return range_fault(text, low, high, accepted); }, accepted));
   return *this;

@@ -29,7 +29,7 @@ class Option {
   Option(CLI::Option* option, std::string initial) : option_(option), initial_(std::move(initial)) {}
 
   Option required();
-  Option shows_default();                 ///< the value that the variable had when it was added
+  Option shows_default();  ///< the value that the variable had when it was added
   Option range(double low, double high, const std::string& unit = {});  ///< of a number, both ends included
   Option at_least(double low, const std::string& unit = {});            ///< of a number
   Option one_of(const std::vector<std::string>& words);

@@ -127,7 +127,8 @@ void add_analyze(cli::Verb& program) {
   verb.option("--clicks", o.clicks, "most clicks in a bank").range(2, 1000).shows_default();
   verb.flag("--no-denoise", a->no_denoise, "take the recordings as clean");
   verb.details(
-      "One line a bank on stdout, when it is done. Finished banks made from the same sound with the same settings are kept, "
+      "One line a bank on stdout, when it is done. Finished banks made from the same sound with the same "
+      "settings are kept, "
       "so a "
       "run that was stopped goes on where it was. What gave no bank is listed at the end, and the exit code "
       "is "

@@ -9,6 +9,7 @@
 
 #include "bench/block_timer.hpp"
 #include "bench/formula_sounds.hpp"
+#include "progress_bar.hpp"
 #include "verbs.hpp"
 
 namespace rigsound::tools {
@@ -56,7 +57,9 @@ std::vector<Row> measure_layers(double seconds) {
   no_background.diesels.clear();
 
   EngineCost whole, without_tool, without_background, drill_and_mix, mix;
+  ProgressBar bar;
   for (int round = 0; round < kRounds; ++round) {
+    bar.show(round, kRounds);
     const double share = seconds / kRounds;
     keep_best(whole, measure(options, all, drilling, share));
     keep_best(without_tool, measure(no_tool, all, drilling, share));

@@ -23,7 +23,8 @@ void add_chain_arguments(cli::Verb& verb, ChainArguments& arguments);
 /// InputError.
 analysis::Recording read_input(const ChainArguments& arguments);
 
-/// Runs the chain with a progress bar; in silence it finds nothing. `denoise` false takes the recording as clean.
+/// Runs the chain with a progress bar; in silence it finds nothing. `denoise` false takes the recording as
+/// clean.
 enum class Denoising { kOn, kOff };
 analysis::ChainResult run_chain(const analysis::Recording& recording, const ChainArguments& arguments,
                                 Denoising denoising);

@@ -36,8 +36,10 @@ void require_ending(const std::string& option, const std::string& file,
   if (file.empty() || is_standard_output(file)) return;
   if (std::filesystem::exists(file, error) && std::filesystem::is_other(file, error)) return;
   const std::string name = std::filesystem::path(file).filename().string();
-  if (std::any_of(endings.begin(), endings.end(), [&](std::string_view e) { return ends_in(name, e); })) return;
-  throw cli::UsageError(option, "'" + file + "' names no format, expected a name that ends in " + choice_of(endings));
+  if (std::any_of(endings.begin(), endings.end(), [&](std::string_view e) { return ends_in(name, e); }))
+    return;
+  throw cli::UsageError(option,
+                        "'" + file + "' names no format, expected a name that ends in " + choice_of(endings));
 }
 
 void require_sound_ending(const std::string& option, const std::string& file) {
@@ -46,8 +48,8 @@ void require_sound_ending(const std::string& option, const std::string& file) {
 
 void tell_clipped(const std::string& file, unsigned long long samples) {
   if (samples > 0)
-    fmt::print(stderr, "{}: {} samples over full scale are clipped; a file that ends in .wav keeps them\n", file,
-               samples);
+    fmt::print(stderr, "{}: {} samples over full scale are clipped; a file that ends in .wav keeps them\n",
+               file, samples);
 }
 
 }  // namespace rigsound::tools

@@ -7,8 +7,8 @@
 
 namespace rigsound::tools {
 
-/// Errors: cli::UsageError when `file` has none of the endings, such as ".wav". An empty name, standard output, a
-/// pipe and a device need none.
+/// Errors: cli::UsageError when `file` has none of the endings, such as ".wav". An empty name, standard
+/// output, a pipe and a device need none.
 void require_ending(const std::string& option, const std::string& file,
                     const std::vector<std::string_view>& endings);
 

@@ -16,8 +16,7 @@ struct MergeOptions {
 };
 
 void merge(const MergeOptions& o) {
-  const analysis::MergedSets merged =
-      analysis::merge_sets({o.sound_sets.begin(), o.sound_sets.end()}, o.out);
+  const analysis::MergedSets merged = analysis::merge_sets({o.sound_sets.begin(), o.sound_sets.end()}, o.out);
   fmt::print("{} banks={} tools={} backgrounds={} sets={}\n", o.out, merged.banks, merged.tools,
              merged.backgrounds, o.sound_sets.size());
   for (const std::string& note : merged.notes) fmt::print(stderr, "{}\n", note);
@@ -26,7 +25,8 @@ void merge(const MergeOptions& o) {
 }  // namespace
 
 void add_merge(cli::Verb& program) {
-  cli::Verb verb = program.verb("merge", "Join sound sets that were filled apart, such as shards").group(kPrepare);
+  cli::Verb verb =
+      program.verb("merge", "Join sound sets that were filled apart, such as shards").group(kPrepare);
   auto o = std::make_shared<MergeOptions>();
   verb.positional("SOUNDSET", o->sound_sets, "folders of sound sets; they stay as they are").required();
   verb.option("--out", o->out, "sound set to make, or to add to").required();

@@ -36,9 +36,9 @@ void pack(const PackOptions& o) {
   if (!o.rig.empty()) set.rig = packed_rig(o.rig, o.sound_set, set.parts, o.out);
   const std::string bytes = config::packed(set);
   write_file(o.out, bytes);
-  fmt::print(figures_beside({o.out}), "{} banks={} tools={} backgrounds={} rig={} bytes={}\n", o.out, set.parts.banks.size(),
-             set.parts.tools.size() + set.parts.strings.size(), set.parts.diesels.size(),
-             set.rig ? "yes" : "no", bytes.size());
+  fmt::print(figures_beside({o.out}), "{} banks={} tools={} backgrounds={} rig={} bytes={}\n", o.out,
+             set.parts.banks.size(), set.parts.tools.size() + set.parts.strings.size(),
+             set.parts.diesels.size(), set.rig ? "yes" : "no", bytes.size());
 }
 
 void unpack(const PackOptions& o) {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <string>
+#include <ratio>
 
 namespace rigsound::tools {
 
@@ -31,12 +31,24 @@ void ProgressBar::clear() {
 }
 
 void ProgressBar::show(int done, int total) {
-  if (!terminal_ || total <= 0) return;
+  if (terminal_ && total > 0) draw(static_cast<double>(done) / total, fmt::format("{}/{}", done, total));
+}
+
+void ProgressBar::show(double share) {
+  if (!terminal_) return;
+  using Tenths = std::chrono::duration<int, std::deci>;
+  const int tenth = std::chrono::duration_cast<Tenths>(std::chrono::steady_clock::now() - start_).count();
+  if (tenth == last_tenth_) return;
+  last_tenth_ = tenth;
+  draw(share, fmt::format("{:.0f} %", 100 * share));
+}
+
+void ProgressBar::draw(double share, const std::string& count) {
   const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  const double left = done > 0 ? spent * (total - done) / done : 0;
-  const int filled = kWidth * std::clamp(done, 0, total) / total;
-  fmt::print(stderr, "\r[{:<{}}] {}/{}  {} left   ", std::string(static_cast<size_t>(filled), '#'), kWidth,
-             done, total, duration(left));
+  const double left = share > 0 ? spent * (1 - share) / share : 0;
+  const auto filled = static_cast<std::size_t>(kWidth * std::clamp(share, 0.0, 1.0));
+  fmt::print(stderr, "\r[{:<{}}] {}  {} left   ", std::string(filled, '#'), kWidth, count,
+             share > 0 ? duration(left) : "?");
   std::fflush(stderr);
 }
 

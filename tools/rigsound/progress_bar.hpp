@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 
 namespace rigsound::tools {
 
@@ -15,10 +16,16 @@ class ProgressBar {
   ProgressBar& operator=(const ProgressBar&) = delete;
 
   void show(int done, int total);
-  void clear();  ///< until the next show(): room for other lines
+  void show(double share);  ///< of the work, 0...1; as often as one likes
+  void clear();             ///< until the next show(): room for other lines
+
+  bool seen() const { return terminal_; }  ///< whether anybody looks
 
  private:
+  void draw(double share, const std::string& count);
+
   bool terminal_;
+  int last_tenth_ = -1;  ///< of a second, when a share was drawn
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

@@ -5,7 +5,10 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <optional>
+#include <utility>
 
+#include "progress_bar.hpp"
 #include "record/bus_recorder.hpp"
 #include "rigsound/file/file_descriptor.hpp"
 #include "rigsound/file/read_files.hpp"
@@ -35,7 +38,9 @@ struct RecordedFiles {
 
 /// OUT for the first kind that the rig has, a name beside it for the others.
 RecordedFiles files_for(const config::Rig& rig, const std::filesystem::path& out) {
-  const auto beside = [&out](const char* ending) { return std::filesystem::path(out).replace_extension(ending); };
+  const auto beside = [&out](const char* ending) {
+    return std::filesystem::path(out).replace_extension(ending);
+  };
   RecordedFiles files;
   if (!rig.can.empty()) files.can = out;
   if (!rig.modbus.empty()) files.modbus = rig.can.empty() ? out : beside(".pcap");
@@ -47,7 +52,9 @@ RecordedFiles files_for(const config::Rig& rig, const std::filesystem::path& out
 void require_log_name(const std::filesystem::path& out, const std::string& ending) {
   for (const char* other : {".asc", ".trc", ".blf", ".mf4", ".gz", ".csv", ".pcapng", ".pcap"})
     if (out.extension() == other && out.extension() != ending)
-      throw cli::UsageError("--out", "'" + out.string() + "' names a format that is not written, expected a name that ends in " + ending);
+      throw cli::UsageError(
+          "--out", "'" + out.string() +
+                       "' names a format that is not written, expected a name that ends in " + ending);
 }
 
 std::vector<std::unique_ptr<BusRecorder>> start(const config::Rig& rig, const std::filesystem::path& out) {
@@ -70,8 +77,12 @@ void record(const RecordArguments& o) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(o.seconds);
   pollfd poll{signals.get(), POLLIN, 0};
-  while (::poll(&poll, 1, 200) == 0 && (o.seconds == 0 || Clock::now() < end))
+  std::optional<ProgressBar> bar(std::in_place);
+  while (::poll(&poll, 1, 200) == 0 && (o.seconds == 0 || Clock::now() < end)) {
     for (const auto& recorder : recorders) recorder->flush();
+    if (o.seconds > 0) bar->show(1 - std::chrono::duration<double>(end - Clock::now()).count() / o.seconds);
+  }
+  bar.reset();
   for (const auto& recorder : recorders) {
     recorder->flush();
     fmt::print(stderr, "{} entries\n", recorder->entries());

@@ -1,11 +1,16 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "endings.hpp"
 #include "log_arguments.hpp"
 #include "log_notes.hpp"
+#include "progress_bar.hpp"
 #include "refused_values.hpp"
 #include "rigsound/audio/excerpt.hpp"
 #include "rigsound/audio/file_sink.hpp"
@@ -32,8 +37,25 @@ struct RenderArguments {
   bool no_hash = false;
 };
 
+/// Shows on its way how far a source has come.
+class ShownStates : public audio::StateSource {
+ public:
+  /// `last`: how many blocks there will be; 0: nobody knows.
+  ShownStates(audio::StateSource& states, std::uint64_t last) : states_(states), last_(last) {}
+  const MachineState* state_of(std::uint64_t number) override {
+    if (last_ > 0) bar_.show(std::min(1.0, static_cast<double>(number) / static_cast<double>(last_)));
+    return states_.state_of(number);
+  }
+
+ private:
+  audio::StateSource& states_;
+  std::uint64_t last_;
+  ProgressBar bar_;
+};
+
 /// Renders the source, from its beginning on, and prints the figures; --from and --to choose what OUT holds.
-void render(config::Rig& rig, audio::StateSource& states, audio::SampleFormat samples,
+/// `source_s`: length of the source; 0: not known before it ends.
+void render(config::Rig& rig, audio::StateSource& states, double source_s, audio::SampleFormat samples,
             const RenderArguments& options) {
   SoundSet sounds = config::load_sounds(rig);
   const bool built_in_diesel = sounds.diesels.front().name == kDefaultDiesel;
@@ -48,9 +70,13 @@ void render(config::Rig& rig, audio::StateSource& states, audio::SampleFormat sa
   audio::FileSink file(options.out, format, hash);
   audio::LateSink sink(file, part.first);
   audio::EndingStates source(states, part.last);
+  const double shown_s = std::min(source_s, options.to_s);
+  std::optional<ShownStates> shown(
+      std::in_place, source, static_cast<std::uint64_t>(shown_s * rig.engine.sample_rate / rig.engine.block));
   const auto start = std::chrono::steady_clock::now();
   std::vector<float> block = audio::make_block(engine.options());
-  const std::uint64_t blocks = audio::run_blocks(engine, source, sink, block);
+  const std::uint64_t blocks = audio::run_blocks(engine, *shown, sink, block);
+  shown.reset();
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   const double length_s = static_cast<double>(blocks) * rig.engine.block / rig.engine.sample_rate;
   if (blocks <= part.first)
@@ -75,7 +101,20 @@ config::Rig rig_of(const RenderArguments& options, config::Buses buses) {
 void render_states(const RenderArguments& options) {
   config::Rig rig = rig_of(options, config::Buses::kLeftOut);
   session::TableStates states(options.states, rig.engine);
-  render(rig, states, audio::SampleFormat::kFloat, options);
+  render(rig, states, states.end_s(), audio::SampleFormat::kFloat, options);
+}
+
+/// How long a log is, when anybody sees the progress: it is read once more for that. 0: not known.
+double length_of_log(const config::Rig& rig, const RenderArguments& options) {
+  std::error_code error;
+  if (!ProgressBar().seen() || !std::filesystem::is_regular_file(options.log.log, error)) return 0;
+  const std::unique_ptr<log::BusLog> log =
+      log::open_log(options.log.log, config::buses_of(rig), log_options(options.log));
+  SignalBoard board;
+  double end_s = 0;
+  for (std::optional<double> next = log->next_s(); next; next = log->next_s())
+    log->read_until(end_s = *next, board);
+  return end_s;
 }
 
 void render_log(const RenderArguments& options) {
@@ -83,7 +122,7 @@ void render_log(const RenderArguments& options) {
   const std::unique_ptr<log::BusLog> log =
       log::open_log(options.log.log, config::buses_of(rig), log_options(options.log));
   session::LogStates states(*log, rig.safety, rig.engine);
-  render(rig, states, audio::SampleFormat::kFloat, options);
+  render(rig, states, length_of_log(rig, options), audio::SampleFormat::kFloat, options);
   print_log_notes(options.log.log, *log);
   print_refused_values(rig, states.board());
 }
@@ -101,7 +140,8 @@ void render_session(const RenderArguments& options) {
   if (fingerprint != header.fingerprint)
     throw InputError(options.session, "was played with another rig or sound set (" + header.fingerprint +
                                           "), expected that of " + options.rig + " (" + fingerprint + ")");
-  render(rig, states, header.format, options);
+  render(rig, states, static_cast<double>(states.blocks()) * header.block / header.sample_rate, header.format,
+         options);
   if (states.bytes_ignored() > 0)
     fmt::print(stderr, "{}: the last {} bytes are not whole and were left out\n", options.session,
                states.bytes_ignored());
@@ -118,7 +158,9 @@ void add_render(cli::Verb& program) {
   source.option("--log", options->log.log, kLogHelp);
   source.option("--session", options->session, "what rigsoundd --session wrote: the very samples it played");
   source.option("--states", options->states, "CSV as decode prints it: the state itself, no safety rule");
-  verb.option("--out", options->out, "sound file to write: .wav of 32 bit float, or in the format of the session's card; .flac of 24 bit; .ogg")
+  verb.option("--out", options->out,
+              "sound file to write: .wav of 32 bit float, or in the format of the session's card; .flac of "
+              "24 bit; .ogg")
       .required();
   add_log_options(verb, options->log);
   verb.option("--seed", options->seed, "instead of the rig's seed; a session has its own");
@@ -135,11 +177,13 @@ void add_render(cli::Verb& program) {
       options->session.empty() ? render_states(*options) : render_session(*options);
   });
   verb.details(
-      "Prints `sha256 HEX` of the PCM bytes as a WAV has them in its data chunk, then `realtime_factor X`: seconds of "
+      "Prints `sha256 HEX` of the PCM bytes as a WAV has them in its data chunk, then `realtime_factor X`: "
+      "seconds of "
       "sound per "
       "second of rendering. Everything a frame or a row says acts from the next block on; the sound ends "
       "with the last "
-      "one. With --from and --to OUT holds the very samples of that part of the whole. With `--out -` the sound goes to "
+      "one. With --from and --to OUT holds the very samples of that part of the whole. With `--out -` the "
+      "sound goes to "
       "standard output and the figures to stderr.");
   verb.example("rigsound render config/rigs/demo.toml --log config/logs/shift.log --out out/demo.wav");
 }

@@ -5,8 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <type_traits>
 
 #include "log_arguments.hpp"
+#include "progress_bar.hpp"
 #include "rigsound/can/can_sender.hpp"
 #include "rigsound/log/can_reader.hpp"
 #include "rigsound/log/log_clock.hpp"
@@ -97,8 +99,31 @@ void require_sent(const log::LogFile& file, const log::ReplayClock& clock,
                                              : "has frames of " + names + " only, expected those of --can");
 }
 
+/// The time of the last entry, since the first; what was read is read again. 0 when nobody sees the progress.
+template <class Entry, class Capture>
+double length_ns(Capture&& capture, const ReplayArguments& o) {
+  if (!ProgressBar().seen()) return 0;
+  log::PlacedEntries<std::remove_reference_t<Capture>, Entry> entries(o.log.longest_gap_s());
+  while (entries.front(capture) != nullptr) entries.pop();
+  return static_cast<double>(entries.time_ns());
+}
+
+/// Shows which share of a log was sent.
+class ShownReplay {
+ public:
+  explicit ShownReplay(double length_ns) : length_ns_(length_ns) {}
+  void at(std::int64_t time_ns) {
+    if (length_ns_ > 0) bar_.show(static_cast<double>(time_ns) / length_ns_);
+  }
+
+ private:
+  double length_ns_;
+  ProgressBar bar_;
+};
+
 void replay_can(const ReplayArguments& o) {
   const log::LogFile file(o.log.log);
+  std::optional<ShownReplay> shown(length_ns<log::CanRecord>(*log::open_can_reader(file), o));
   const auto reader = log::open_can_reader(file);
   CanTargets targets(o.log.can);
   log::PlacedEntries<log::CanReader, log::CanRecord> entries(o.log.longest_gap_s());
@@ -112,10 +137,12 @@ void replay_can(const ReplayArguments& o) {
       ++skips.unwritable;
       continue;
     }
+    shown->at(entries.time_ns());
     clock.wait_for(entries.time_ns());
     if (!bus->send(record->frame)) ++skips.refused;
     clock.sent();
   }
+  shown.reset();
   require_sent(file, clock, seen);
   skips.waits = targets.waits();
   report(o, clock, skips);
@@ -124,6 +151,7 @@ void replay_can(const ReplayArguments& o) {
 
 void replay_modbus(const ReplayArguments& o) {
   const log::LogFile file(o.log.log);
+  std::optional<ShownReplay> shown(length_ns<log::TimedExchange>(log::ModbusCapture(file), o));
   log::ModbusCapture capture(file);
   modbus::ModbusWriter device(o.modbus);
   log::PlacedEntries<log::ModbusCapture, log::TimedExchange> entries(o.log.longest_gap_s());
@@ -135,10 +163,12 @@ void replay_modbus(const ReplayArguments& o) {
       ++skips.unwritable;
       continue;
     }
+    shown->at(entries.time_ns());
     clock.wait_for(entries.time_ns());
     if (!device.write(entry->exchange)) ++skips.refused;
     clock.sent();
   }
+  shown.reset();
   require_sent(file, clock, {});
   report(o, clock, skips);
   print_notes(o, entries.clock());
@@ -146,16 +176,19 @@ void replay_modbus(const ReplayArguments& o) {
 
 void replay_udp(const ReplayArguments& o) {
   const log::LogFile file(o.log.log);
+  std::optional<ShownReplay> shown(length_ns<log::TimedDatagram>(log::UdpCapture(file, {}), o));
   log::UdpCapture capture(file, {});
   const udp::UdpSender device(o.udp);
   log::PlacedEntries<log::UdpCapture, log::TimedDatagram> entries(o.log.longest_gap_s());
   log::ReplayClock clock(o.speed);
   Skips skips;
   for (; const log::TimedDatagram* entry = entries.front(capture); entries.pop()) {
+    shown->at(entries.time_ns());
     clock.wait_for(entries.time_ns());
     if (!device.send(entry->text)) ++skips.refused;
     clock.sent();
   }
+  shown.reset();
   require_sent(file, clock, {});
   report(o, clock, skips);
   print_notes(o, entries.clock());

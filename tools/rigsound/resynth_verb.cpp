@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "endings.hpp"
+#include "progress_bar.hpp"
 #include "rigsound/analysis/resynth.hpp"
 #include "rigsound/analysis/wave_file.hpp"
 #include "rigsound/config/bank_files.hpp"
@@ -34,7 +35,11 @@ void resynth(const ResynthOptions& o) {
   require_apart({o.output, o.impacts}, {o.bank});
   require_sound_ending("OUT.wav", o.output);
   const ClickBank bank = config::load_bank(o.bank).bank;
-  const analysis::Resynthesis result = analysis::resynthesise(bank, o.seconds, o.seed, o.controls);
+  const analysis::Resynthesis result = [&] {
+    ProgressBar bar;
+    return analysis::resynthesise(bank, o.seconds, o.seed, o.controls,
+                                  [&bar](double share) { bar.show(share); });
+  }();
   if (!o.impacts.empty()) write_impacts(o.impacts, result, bank.sample_rate);
   const int rate = static_cast<int>(std::lround(bank.sample_rate));
   tell_clipped(o.output, analysis::write_wave(o.output, result.sound, rate));

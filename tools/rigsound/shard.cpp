@@ -20,8 +20,8 @@ int slurm_number(const char* name, const char* absent) {
   const char* const text = std::getenv(name);
   const std::string word = text != nullptr ? text : absent;
   if (word.empty())
-    refuse_shard(fmt::format("auto: {} is not set, expected a task of a Slurm array (sbatch --array), or I/N",
-                             name));
+    refuse_shard(
+        fmt::format("auto: {} is not set, expected a task of a Slurm array (sbatch --array), or I/N", name));
   if (!cli::int32_fault(word).empty() || cli::integer_of(word) < 0)
     refuse_shard(fmt::format("auto: {} is '{}', expected a whole number from 0 on", name, word));
   return static_cast<int>(cli::integer_of(word));
@@ -29,13 +29,15 @@ int slurm_number(const char* name, const char* absent) {
 
 Shard shard_of_slurm_array() {
   const int id = slurm_number("SLURM_ARRAY_TASK_ID", ""), first = slurm_number("SLURM_ARRAY_TASK_MIN", ""),
-            last = slurm_number("SLURM_ARRAY_TASK_MAX", ""), count = slurm_number("SLURM_ARRAY_TASK_COUNT", ""),
+            last = slurm_number("SLURM_ARRAY_TASK_MAX", ""),
+            count = slurm_number("SLURM_ARRAY_TASK_COUNT", ""),
             step = slurm_number("SLURM_ARRAY_TASK_STEP", "1");
-  const bool even = step > 0 && last >= first && (last - first) % step == 0 && (last - first) / step + 1 == count;
+  const bool even =
+      step > 0 && last >= first && (last - first) % step == 0 && (last - first) / step + 1 == count;
   if (!even || id < first || id > last || (id - first) % step != 0)
     refuse_shard(fmt::format(
-        "auto: task {} of {} from {} to {} leaves numbers out, expected an array such as 0-3, 1-4 or 0-6:2", id,
-        count, first, last));
+        "auto: task {} of {} from {} to {} leaves numbers out, expected an array such as 0-3, 1-4 or 0-6:2",
+        id, count, first, last));
   return {(id - first) / step + 1, count};
 }
 

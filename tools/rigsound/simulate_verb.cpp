@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "progress_bar.hpp"
 #include "rigsound/analysis/simulate.hpp"
 #include "rigsound/file/atomic_folder.hpp"
 #include "verbs.hpp"
@@ -50,25 +51,36 @@ std::vector<int> rod_counts(const std::string& text) {
   return counts;
 }
 
-std::vector<std::string> situations(const SimulateOptions& o, const std::filesystem::path& folder) {
+/// Each part takes about as long as it sounds: seven recordings, three a rod count, the ramp.
+std::vector<std::string> situations(const SimulateOptions& o, const std::filesystem::path& folder,
+                                    const analysis::Progress& progress) {
   const double seconds = o.seconds > 0 ? o.seconds : kRecordingSeconds;
   const std::vector<int> counts = o.rods.empty() ? std::vector<int>() : rod_counts(o.rods);
-  std::vector<std::string> lines = analysis::write_situations(folder, o.seed, seconds);
+  const double main_s = 7 * seconds, rods_s = 3 * seconds * static_cast<double>(counts.size()),
+               all_s = main_s + rods_s + o.ramp_seconds;
+  std::vector<std::string> lines =
+      analysis::write_situations(folder, o.seed, seconds, analysis::part_of(progress, 0, main_s / all_s));
   const auto add = [&lines](const std::vector<std::string>& more) {
     lines.insert(lines.end(), more.begin(), more.end());
   };
-  if (!counts.empty()) add(analysis::write_rods(folder, o.seed, counts, seconds));
+  if (!counts.empty())
+    add(analysis::write_rods(folder, o.seed, counts, seconds,
+                             analysis::part_of(progress, main_s / all_s, (main_s + rods_s) / all_s)));
   if (o.ramp_seconds > 0) add(analysis::write_feed_ramp(folder, o.seed, o.ramp_seconds));
   return lines;
 }
 
 void simulate(const SimulateOptions& o) {
   AtomicFolder folder(o.folder);  // all recordings or none
+  ProgressBar bar;
+  const auto progress = [&bar](double share) { bar.show(share); };
   const std::vector<std::string> lines =
-      o.ids.empty() ? situations(o, folder.temporary())
+      o.ids.empty() ? situations(o, folder.temporary(), progress)
                     : analysis::write_drillbench(folder.temporary(),
                                                  {expand("--ids", o.ids), o.snr_db,
-                                                  o.seconds > 0 ? o.seconds : kClipSeconds, o.rate_factor});
+                                                  o.seconds > 0 ? o.seconds : kClipSeconds, o.rate_factor},
+                                                 progress);
+  bar.clear();
   folder.join();
   for (const std::string& line : lines) std::printf("%s\n", line.c_str());
 }

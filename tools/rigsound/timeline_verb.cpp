@@ -45,8 +45,8 @@ void add_timeline(cli::Verb& program) {
   const auto threshold = [&](const char* name, double& bar, const char* help) {
     return verb.option(name, bar, help).shows_default().range(0, info(Signal::kFeedPressureBar).max, "bar");
   };
-  o->underfeed = threshold("--underfeed", o->underfeed_bar,
-                           "feed pressure under which it is underfeed; beats --rig");
+  o->underfeed =
+      threshold("--underfeed", o->underfeed_bar, "feed pressure under which it is underfeed; beats --rig");
   o->overfeed =
       threshold("--overfeed", o->overfeed_bar, "feed pressure over which it is overfeed; beats --rig");
   verb.option("--title", o->timeline.title, "over the picture (default: the name of the sound)");

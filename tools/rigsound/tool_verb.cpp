@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "endings.hpp"
+#include "progress_bar.hpp"
 #include "read_recording.hpp"
 #include "rigsound/analysis/tool_fit.hpp"
 #include "rigsound/analysis/tool_plot.hpp"
@@ -87,8 +88,12 @@ void print_json(const std::vector<TunedMode>& modes, nlohmann::ordered_json json
 /// The steel as asked for, or as heard in the recording.
 ToolModel model_of(const ToolOptions& o, nlohmann::ordered_json& json) {
   if (!o.recording.empty()) {
-    const analysis::ToolFit fit = analysis::fit_tool(
-        read_whole(o.recording, "struck steel"), o.recording, {o.length_m, o.diameter_m});
+    const analysis::ToolFit fit = [&] {
+      const analysis::Recording recording = read_whole(o.recording, "struck steel");
+      ProgressBar bar;
+      return analysis::fit_tool(recording, o.recording, {o.length_m, o.diameter_m},
+                                [&bar](double share) { bar.show(share); });
+    }();
     report(fit);
     json["fit"] = fit_json(fit);
     return fit.model;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "progress_bar.hpp"
 #include "read_recording.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/analysis/time_table.hpp"
@@ -94,7 +95,11 @@ std::vector<analysis::DieselTake> read_takes(const LearningOptions& o) {
 analysis::LearnedDiesel learn(const std::vector<analysis::DieselTake>& takes, const LearningOptions& o) {
   analysis::DieselSettings settings = o.settings;
   settings.name = background_name(o);
-  analysis::LearnedDiesel learned = o.formula ? built_in() : analysis::learn_diesel(takes, settings);
+  ProgressBar bar;
+  analysis::LearnedDiesel learned =
+      o.formula ? built_in()
+                : analysis::learn_diesel(takes, settings, [&bar](double share) { bar.show(share); });
+  bar.clear();
   learned.model.name = settings.name;
   if (!o.start.empty()) learned.model.start = read_whole(o.start, "engine").mono;
   if (!o.stop.empty()) learned.model.stop = read_whole(o.stop, "engine").mono;

@@ -36,8 +36,8 @@ void model_note(const std::vector<std::string>& inputs, const std::string& resyn
   analysis::NoteSettings settings = o.note;
   settings.one_over_f = o.energies == "one-over-f";
   settings.seed = seed;
-  const analysis::NoteModel m = analysis::model_note(
-      inputs.front(), read_whole(inputs.front(), "note").mono, settings);
+  const analysis::NoteModel m =
+      analysis::model_note(inputs.front(), read_whole(inputs.front(), "note").mono, settings);
   if (!resynth.empty())
     tell_clipped(resynth, analysis::write_wave(resynth, m.sound, static_cast<int>(analysis::kAnalysisRate)));
   std::FILE* const to = figures_beside({resynth});

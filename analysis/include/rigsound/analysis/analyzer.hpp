@@ -67,8 +67,9 @@ struct AnalyzerListener {
 /// A bus log cuts its recording into parts and wins over labels. Analyses every part that has no finished
 /// bank with the same settings and source hash yet, and adds missing entries to soundset.toml. A bank is on
 /// disk whole or not at all; several shards may write to one sound set at once. Errors: InputError when there
-/// is nothing to analyse, soundset.toml is broken or something would be written over that is read; DeviceError for the disk. A part that cannot be analysed
-/// is no error but a line of `failures`. Thread: OFF; starts `jobs` threads and joins them.
+/// is nothing to analyse, soundset.toml is broken or something would be written over that is read;
+/// DeviceError for the disk. A part that cannot be analysed is no error but a line of `failures`. Thread:
+/// OFF; starts `jobs` threads and joins them.
 AnalyzerResult run_analyzer(const AnalyzerOptions& options, const AnalyzerListener& listener);
 
 }  // namespace rigsound::analysis

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "rigsound/analysis/progress.hpp"
 #include "rigsound/diesel_model.hpp"
 
 namespace rigsound::analysis {
@@ -45,12 +46,13 @@ struct LearnedDiesel {
 /// Tracks the crank, splits run-ups into points, joins everything in the order domain (README, A1-A11).
 /// Errors: InputError naming the take: fewer than 20 cycles, speed off by more than 3 %, no periodicity.
 /// Thread: OFF.
-LearnedDiesel learn_diesel(const std::vector<DieselTake>& takes, const DieselSettings& settings);
+LearnedDiesel learn_diesel(const std::vector<DieselTake>& takes, const DieselSettings& settings,
+                           const Progress& progress = {});
 
 /// What `model` sounds like at a speed and load, through the engine's own voice. `rpm`: r/min at every sample
 /// of kAnalysisRate. Thread: OFF.
 std::vector<float> play_diesel(const DieselModel& model, const std::vector<double>& rpm, double load,
-                               double feed, unsigned seed);
+                               double feed, unsigned seed, const Progress& progress = {});
 
 /// 4-byte numbers a model is made of, grains and one-shots left out. Thread: OFF.
 std::size_t parameter_count(const DieselModel& model);

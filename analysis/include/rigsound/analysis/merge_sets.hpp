@@ -12,11 +12,11 @@ struct MergedSets {
   std::vector<std::string> notes;             ///< one line each: laws that the series now give
 };
 
-/// Puts everything that the soundset.toml of `sets` names into `out`, which may be a sound set that is there: its
-/// text and its files stay. What two sets name alike must be the same, byte by byte. Rocks keep the order of `out`,
-/// then of `sets`. Laws are fitted where the joined banks give some and none are written. All of it or nothing.
-/// Errors: InputError for two things of one name that differ, a set that is `out`, or one that cannot be read;
-/// DeviceError for the disk. Thread: OFF.
+/// Puts everything that the soundset.toml of `sets` names into `out`, which may be a sound set that is there:
+/// its text and its files stay. What two sets name alike must be the same, byte by byte. Rocks keep the order
+/// of `out`, then of `sets`. Laws are fitted where the joined banks give some and none are written. All of it
+/// or nothing. Errors: InputError for two things of one name that differ, a set that is `out`, or one that
+/// cannot be read; DeviceError for the disk. Thread: OFF.
 MergedSets merge_sets(const std::vector<std::filesystem::path>& sets, const std::filesystem::path& out);
 
 }  // namespace rigsound::analysis

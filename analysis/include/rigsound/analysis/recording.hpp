@@ -26,10 +26,10 @@ struct Stretch {
   double start_s = 0, end_s = std::numeric_limits<double>::infinity();
 };
 
-/// Reads a stretch of any file libsndfile reads (`-`: standard input), averages its channels and resamples it to kAnalysisRate.
-/// Errors: InputError when the file is missing, unreadable, or lies outside the ranges above, or the stretch
-/// is empty, too short, silent, or holds a sample that is not finite. `subject`: what a silent one lacks.
-/// Thread: OFF.
+/// Reads a stretch of any file libsndfile reads (`-`: standard input), averages its channels and resamples it
+/// to kAnalysisRate. Errors: InputError when the file is missing, unreadable, or lies outside the ranges
+/// above, or the stretch is empty, too short, silent, or holds a sample that is not finite. `subject`: what a
+/// silent one lacks. Thread: OFF.
 Recording read_recording(const std::filesystem::path& path, const Stretch& stretch = {},
                          std::string_view subject = "drilling");
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "rigsound/analysis/progress.hpp"
 #include "rigsound/click_bank.hpp"
 #include "rigsound/machine/machine_state.hpp"
 
@@ -22,6 +23,6 @@ struct Resynthesis {
 /// `seconds` of the bank under the paper's six controls: the same samples the engine plays live with that
 /// seed. Errors: InputError when the bank cannot be played. Thread: OFF.
 Resynthesis resynthesise(const ClickBank& bank, double seconds, std::uint64_t seed,
-                         const DrillControls& controls = {});
+                         const DrillControls& controls = {}, const Progress& progress = {});
 
 }  // namespace rigsound::analysis

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "rigsound/analysis/progress.hpp"
+
 namespace rigsound::analysis {
 
 /// Writes one recording per situation into `folder`: NAME.wav, NAME.txt (Audacity labels), and under truth/
@@ -14,7 +16,7 @@ namespace rigsound::analysis {
 /// truth/ its crank angle and body. Returns one line per recording. Errors: DeviceError when the folder
 /// cannot be written. Thread: OFF.
 std::vector<std::string> write_situations(const std::filesystem::path& folder, std::uint64_t seed,
-                                          double seconds);
+                                          double seconds, const Progress& progress = {});
 
 /// Writes a recording along a feed ramp from 35 to 165 bar with one rod, drilling 6 dB over the background at
 /// the normal feed: feed/ramp.wav, .txt (a label every 10 bar) and .log (what a bus of config/dbc/rig.dbc
@@ -28,7 +30,8 @@ std::vector<std::string> write_feed_ramp(const std::filesystem::path& folder, st
 /// Writes underfeed, normal and overfeed of each rod count into rods/: rodsN_NAME.wav, .txt and their truth,
 /// as write_situations does. `counts` 1...20. Thread: OFF.
 std::vector<std::string> write_rods(const std::filesystem::path& folder, std::uint64_t seed,
-                                    const std::vector<int>& counts, double seconds);
+                                    const std::vector<int>& counts, double seconds,
+                                    const Progress& progress = {});
 
 struct DrillBenchRequest {
   std::vector<int> ids;
@@ -41,6 +44,6 @@ struct DrillBenchRequest {
 /// clip. Errors: InputError for an id or a ratio that does not exist, DeviceError for the folder. Thread:
 /// OFF.
 std::vector<std::string> write_drillbench(const std::filesystem::path& folder,
-                                          const DrillBenchRequest& request);
+                                          const DrillBenchRequest& request, const Progress& progress = {});
 
 }  // namespace rigsound::analysis

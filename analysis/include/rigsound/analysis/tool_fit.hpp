@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "rigsound/analysis/progress.hpp"
 #include "rigsound/analysis/recording.hpp"
 #include "rigsound/tool_model.hpp"
 
@@ -28,6 +29,7 @@ struct ToolFit {
 
 /// Fits to the strongest impact in `recording`. Throws InputError when there is no impact, or when length or
 /// diameter is to be estimated and the modes are not clear; `file` is named in the message. Thread: OFF.
-ToolFit fit_tool(const Recording& recording, const std::string& file, const ToolFitOptions& options);
+ToolFit fit_tool(const Recording& recording, const std::string& file, const ToolFitOptions& options,
+                 const Progress& progress = {});
 
 }  // namespace rigsound::analysis

@@ -9,9 +9,9 @@
 
 namespace rigsound::analysis {
 
-/// Writes `mono` (full scale = 1, may exceed it) at `rate` Hz, atomically: as 32-bit float WAV, or as FLAC or Ogg
-/// when the name ends so (audio::SoundWriter). Returns how many samples were clipped for that. Errors: DeviceError
-/// when the file cannot be written. Thread: OFF.
+/// Writes `mono` (full scale = 1, may exceed it) at `rate` Hz, atomically: as 32-bit float WAV, or as FLAC or
+/// Ogg when the name ends so (audio::SoundWriter). Returns how many samples were clipped for that. Errors:
+/// DeviceError when the file cannot be written. Thread: OFF.
 std::uint64_t write_wave(const std::filesystem::path& path, const std::vector<float>& mono, int rate);
 std::uint64_t write_wave(const std::filesystem::path& path, const std::vector<double>& mono, int rate);
 

@@ -12,8 +12,8 @@
 
 namespace rigsound::audio {
 
-/// 32 bit float unless another format is asked for, reproducible byte for byte; Ogg is not. The file appears under
-/// its name on commit(). Thread: OFF.
+/// 32 bit float unless another format is asked for, reproducible byte for byte; Ogg is not. The file appears
+/// under its name on commit(). Thread: OFF.
 class FileSink : public Sink {
  public:
   struct Format : SoundFormat {
@@ -30,7 +30,9 @@ class FileSink : public Sink {
   /// Finishes the file and puts it in place. Errors: DeviceError.
   void commit();
 
-  std::uint64_t clipped() const { return writer_.clipped(); }  ///< samples that the file does not hold as they were
+  std::uint64_t clipped() const {
+    return writer_.clipped();
+  }  ///< samples that the file does not hold as they were
 
  private:
   Format format_;

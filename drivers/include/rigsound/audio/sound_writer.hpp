@@ -23,12 +23,13 @@ struct SoundFormat {
   SampleFormat samples = SampleFormat::kFloat;
 };
 
-/// WAV holds the samples as they are. FLAC holds 24 bit of float and of 32 bit samples, Ogg Vorbis what is heard of
-/// them; what is over full scale is clipped there. WAV and FLAC of the same samples are the same bytes. Thread: OFF.
+/// WAV holds the samples as they are. FLAC holds 24 bit of float and of 32 bit samples, Ogg Vorbis what is
+/// heard of them; what is over full scale is clipped there. WAV and FLAC of the same samples are the same
+/// bytes. Thread: OFF.
 class SoundWriter {
  public:
-  /// Writes under the temporary name of `file`, which must outlive it. Errors: DeviceError, also for a rate or a
-  /// number of channels that the format does not hold.
+  /// Writes under the temporary name of `file`, which must outlive it. Errors: DeviceError, also for a rate
+  /// or a number of channels that the format does not hold.
   SoundWriter(const AtomicFile& file, const SoundFormat& format);
 
   /// `bytes`: whole frames in the format's samples, as convert() makes them. Errors: DeviceError.

@@ -12,11 +12,11 @@ namespace rigsound {
 /// Whether a name means standard output: `-`, or what the system calls it. Thread: any.
 bool is_standard_output(const std::filesystem::path& target);
 
-/// Reserves a temporary name beside `target` (same folder, so that the rename is atomic), or beside the file that
-/// a link of that name leads to. Unless commit() was called the temporary is removed on destruction, or when a
-/// signal ends the program, and `target` stays as it was. Standard output, a pipe and a device are not replaced:
-/// the whole content is copied into them.
-/// Errors: DeviceError when the folder cannot be written or `target` is a folder. Thread: OFF, CT.
+/// Reserves a temporary name beside `target` (same folder, so that the rename is atomic), or beside the file
+/// that a link of that name leads to. Unless commit() was called the temporary is removed on destruction, or
+/// when a signal ends the program, and `target` stays as it was. Standard output, a pipe and a device are not
+/// replaced: the whole content is copied into them. Errors: DeviceError when the folder cannot be written or
+/// `target` is a folder. Thread: OFF, CT.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path target);

@@ -8,8 +8,8 @@
 
 namespace rigsound {
 
-/// Makes a temporary folder beside `target`, and the parents of both. Unless commit() or join() was called the
-/// temporary is removed on destruction, or when a signal ends the program, and `target` stays as it was.
+/// Makes a temporary folder beside `target`, and the parents of both. Unless commit() or join() was called
+/// the temporary is removed on destruction, or when a signal ends the program, and `target` stays as it was.
 /// Errors: DeviceError when the folder cannot be written. Thread: OFF, CT.
 class AtomicFolder {
  public:

@@ -9,12 +9,12 @@
 
 namespace rigsound {
 
-/// A regular file is read where it lies. Standard input (`-`) and a pipe are first copied into a temporary file
-/// without a name. Thread: OFF.
+/// A regular file is read where it lies. Standard input (`-`) and a pipe are first copied into a temporary
+/// file without a name. Thread: OFF.
 class InputFile {
  public:
-  /// `kind`: what it should be, such as "bus log". Errors: InputError for what cannot be opened or is a folder;
-  /// DeviceError when there is no room.
+  /// `kind`: what it should be, such as "bus log". Errors: InputError for what cannot be opened or is a
+  /// folder; DeviceError when there is no room.
   InputFile(const std::filesystem::path& file, std::string_view kind);
 
   const std::string& name() const { return name_; }            ///< for messages

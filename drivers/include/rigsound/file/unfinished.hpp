@@ -21,8 +21,9 @@ class Unfinished {
   std::list<Undo>::iterator undo_;
 };
 
-/// Undoes all that is unfinished, the newest first. From then on nothing can be begun or finished any more: who
-/// tries waits for ever, so the caller must end the program at once. Thread: any, once, but not from a handler.
+/// Undoes all that is unfinished, the newest first. From then on nothing can be begun or finished any more:
+/// who tries waits for ever, so the caller must end the program at once. Thread: any, once, but not from a
+/// handler.
 void undo_unfinished();
 
 }  // namespace rigsound

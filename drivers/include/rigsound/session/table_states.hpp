@@ -16,6 +16,8 @@ class TableStates : public audio::StateSource {
 
   const MachineState* state_of(std::uint64_t number) override;
 
+  double end_s() const { return table_.changes.back().time_s; }  ///< of the last row
+
  private:
   StateTable table_;
   double block_s_;

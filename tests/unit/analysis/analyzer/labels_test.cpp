@@ -79,7 +79,8 @@ TEST_CASE("a value out of its range is told with the range and its unit") {
   const auto ends_in = [](const char* text, const std::string& end) {
     const std::string complaint = LabelFile(text).complaint();
     INFO(complaint);
-    return complaint.size() > end.size() && complaint.compare(complaint.size() - end.size(), end.size(), end) == 0;
+    return complaint.size() > end.size() &&
+           complaint.compare(complaint.size() - end.size(), end.size(), end) == 0;
   };
   CHECK(ends_in("0\t1\tnormal rods=25\n", "rods: is 25, expected 1...20"));
   CHECK(ends_in("0\t1\tnormal rods=2.5\n", "rods: is 2.5, expected a whole number, 1...20"));

@@ -97,7 +97,8 @@ TEST_CASE("silence is read where it is no error, with an offset too") {
     CHECK(recording.silent);
     CHECK(recording.source_frames == 44100);
   }
-  CHECK_FALSE(read_recording_or_silence(write(folder.path / "tone.wav", tone(48000, 440, 48000), 48000, 1)).silent);
+  CHECK_FALSE(
+      read_recording_or_silence(write(folder.path / "tone.wav", tone(48000, 440, 48000), 48000, 1)).silent);
 }
 
 TEST_CASE("channels are averaged, however many, and said") {
@@ -114,7 +115,9 @@ TEST_CASE("channels are averaged, however many, and said") {
   for (const float x : tone(48000, 300, 48000)) frames.push_back(x), frames.push_back(0.5f * x);
   const Recording recording = read_recording(write(folder.path / "stereo.wav", frames, 48000, 2));
   CHECK(recording.source_channels == 2);
-  CHECK(mix_down_note("a.wav", read_recording(write(folder.path / "mono.wav", tone(48000, 300, 48000), 48000, 1))).empty());
+  CHECK(mix_down_note("a.wav",
+                      read_recording(write(folder.path / "mono.wav", tone(48000, 300, 48000), 48000, 1)))
+            .empty());
   REQUIRE(recording.mono.size() == 48000);
   for (size_t n = 0; n < 48000; n += 977) CHECK(recording.mono[n] == doctest::Approx(0.75 * frames[2 * n]));
 }

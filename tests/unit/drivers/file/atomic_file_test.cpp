@@ -42,7 +42,8 @@ TEST_CASE("a committed file holds the text and leaves no temporary") {
 TEST_CASE("a folder is not replaced, a device stays one") {
   Folder folder;
   fs::create_directories(folder.path / "inside");
-  CHECK_THROWS_WITH_AS(write_file(folder.path / "inside", "x"), doctest::Contains("is a folder"), DeviceError);
+  CHECK_THROWS_WITH_AS(write_file(folder.path / "inside", "x"), doctest::Contains("is a folder"),
+                       DeviceError);
   write_file("/dev/null", "x");
   CHECK(fs::is_character_file("/dev/null"));
   CHECK_THROWS_WITH_AS(write_file("/dev/full", "x"), doctest::Contains("No space left"), DeviceError);

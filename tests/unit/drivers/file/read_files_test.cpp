@@ -21,7 +21,8 @@ TEST_CASE("an input is refused as output by its name, through links and inside a
   const std::vector<fs::path> inputs = {recording, set, "", folder.path / "not_there.csv"};
   for (const fs::path& output :
        {recording, folder.path / "soft.wav", folder.path / "hard.wav", folder.path / "set/../in.wav", clicks,
-        folder.path / "other_set/banks/a/clicks.wav", folder.path / "not_there.csv", folder.path / "hard_clicks.wav", set})
+        folder.path / "other_set/banks/a/clicks.wav", folder.path / "not_there.csv",
+        folder.path / "hard_clicks.wav", set})
     CHECK_THROWS_AS_MESSAGE(require_apart({output}, inputs), InputError, output.string());
   for (const fs::path& output : {folder.path / "out.wav", set / "banks/a/new.wav", fs::path()})
     CHECK_NOTHROW(require_apart({output}, inputs));

@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+"""progress_test.py RIGSOUND ROOT: what works for long says on a terminal how long it will take, and elsewhere nothing.
+
+ROOT is the project.
+"""
+import os
+import pathlib
+import pty
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from sound_files import strikes, write_wav
+from sound_set import write_sound_set
+
+RIGSOUND, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
+BAR = re.compile(r'\r\[(#* *)\] (?:(\d+)/(\d+)|(\d+) %)  (\?|\d+ s|\d+ min \d\d s|\d+ h \d\d min) left')
+
+
+def on_terminal(words):
+    """Exit code, stdout, and what a terminal gets as stderr."""
+    ours, theirs = pty.openpty()
+    process = subprocess.Popen([RIGSOUND, *map(str, words)], stdout=subprocess.PIPE, stderr=theirs)
+    os.close(theirs)
+    shown = b''
+    while True:
+        try:
+            some = os.read(ours, 65536)
+        except OSError:  # its only writer has gone
+            break
+        if not some:
+            break
+        shown += some
+    os.close(ours)
+    out = process.stdout.read()
+    process.stdout.close()
+    return process.wait(), out, shown.decode()
+
+
+class Progress(unittest.TestCase):
+    def setUp(self):
+        self.folder = at = pathlib.Path(tempfile.mkdtemp(prefix='rigsound_progress.'))
+        self.addCleanup(shutil.rmtree, at)
+        write_sound_set(at / 'set')
+        self.rig = at / 'rig.toml'
+        self.rig.write_text('[sound]\nset = "set"\n[[udp]]\naddress = "127.0.0.1:45217"\n')
+        self.states = at / 'states.csv'
+        self.states.write_text('time_s,signal,value\n0,engine_rpm,1500\n20,engine_rpm,0\n')
+        self.recording = write_wav(at / 'in.wav', [strikes(7)])
+        self.log_rig = at / 'log.toml'
+        self.log_rig.write_text(f'[sound]\nset = "set"\n[[can]]\ninterface = "can0"\ndbc = "{ROOT}/config/dbc/rig.dbc"\n'
+                                '[can.signals]\nengine_rpm = "EEC1.EngSpeed"\n')
+
+    def verbs(self):
+        new = self.folder / 'new'
+        yield 'render', ['render', self.rig, '--states', self.states, '--out', new.with_suffix('.wav')]
+        yield 'render of a log', ['render', self.log_rig, '--log', ROOT / 'config/logs/shift.log', '--to', 30, '--out', new.with_suffix('.wav')]
+        yield 'resynth', ['resynth', self.folder / 'set/banks/normal', new.with_suffix('.wav'), '--seconds', 100]
+        yield 'simulate', ['simulate', '--ids', '100-103', '--seconds', 1, '--out', self.folder / 'sim']
+        yield 'clicks', ['clicks', self.recording, '--jobs', 1]
+        yield 'denoise', ['denoise', self.recording, new.with_suffix('.wav'), '--jobs', 1]
+        yield 'tool', ['tool', '--from', self.recording, '--length', 0.5, '--diameter', 0.025]
+        yield 'background', ['background', '--formula', '--resynth', new.with_suffix('.wav'), '--seconds', 60]
+        yield 'contrast', ['contrast', self.rig, '--seconds', 4, '--runs', 2]
+        yield 'bench', ['bench', '--seconds', 0.1]
+        yield 'record', ['record', self.rig, '--out', new.with_suffix('.pcap'), '--seconds', 1]
+
+    def test_a_bar_that_grows_and_goes_on_a_terminal_and_nothing_elsewhere(self):
+        for name, words in self.verbs():
+            code, out, shown = on_terminal(words)
+            self.assertEqual(code, 0, (name, shown))
+            bars = BAR.findall(shown)
+            self.assertGreater(len(bars), 1, (name, shown))
+            lengths = [len(bar[0].rstrip()) for bar in bars]
+            self.assertEqual(lengths, sorted(lengths), name)
+            self.assertGreater(lengths[-1], lengths[0], name)
+            self.assertTrue(all(len(bar[0]) == 40 for bar in bars), name)
+            after = shown[shown.rindex(' left'):]
+            self.assertRegex(after, r'\r {60,}\r', name)  # the line is free again
+            if name in ('contrast', 'tool', 'denoise'):  # the slowest, and their bars are as the others'
+                continue
+            plain = subprocess.run([RIGSOUND, *map(str, words)], capture_output=True, text=True, timeout=300)
+            self.assertEqual(plain.returncode, 0, plain.stderr)
+            self.assertNotIn('left', plain.stderr, name)
+            self.assertNotIn('\r', plain.stderr, name)
+
+    def test_lines_of_banks_and_the_bar_do_not_mix_on_one_terminal(self):
+        subprocess.run([RIGSOUND, 'simulate', '--ids', '103,112', '--seconds', '2', '--out', self.folder / 'clips'], check=True,
+                       stdout=subprocess.DEVNULL)
+        (self.folder / 'in').mkdir()
+        for name in ('c103', 'c112'):
+            shutil.copy(self.folder / f'clips/{name}_clean.wav', self.folder / f'in/{name}.wav')
+        code, out, shown = on_terminal(['analyze', self.folder / 'in', '--out', self.folder / 'banks', '--no-denoise', '--jobs', 1])
+        self.assertEqual((code, len(out.splitlines())), (0, 2), shown)
+        self.assertIn('1/2', shown)
+
+
+unittest.main(argv=sys.argv[:1])
