@@ -52,6 +52,7 @@ class Manual(unittest.TestCase):
                     self.assertIn(option, page, verb)
             self.assertIn('.SH EXAMPLES' if not verbs_of(RIGSOUND, verb) else 'Example:', page)
             self.assertIn('EXIT STATUS', page)
+            self.assertIn('128 + N', page)
         for option in options_of(RIGSOUNDD):
             self.assertIn(option, self.page('man8/rigsoundd.8'))
 

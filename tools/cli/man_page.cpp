@@ -101,6 +101,10 @@ constexpr const char* kExitCodes =
     ".TP\n2\nWrong usage.\n"
     ".TP\n3\nThe machine failed: a device, a disk, a bus.\n";
 
+// A user's command; the daemon ends with 0 when it is told to.
+constexpr const char* kSignalCodes =
+    ".TP\n128 + N\nSignal N ended it: 130 on Ctrl-C. Nothing half made is left.\n";
+
 struct Setting {
   std::string version, section;
 };
@@ -112,7 +116,7 @@ std::string page(const VerbText& verb, const std::string& name, const std::strin
                     "\n.SH SYNOPSIS\n" + synopsis(verb, called);
   if (!verb.details.empty()) out += ".SH DESCRIPTION\n" + paragraphs(verb.details);
   return out + option_section(verb, ".SH OPTIONS\n") + middle + example_section(verb, ".SH EXAMPLES\n") +
-         kExitCodes;
+         kExitCodes + (setting.section == "1" ? kSignalCodes : "");
 }
 
 }  // namespace

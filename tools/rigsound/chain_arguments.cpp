@@ -17,8 +17,10 @@ using namespace analysis;
 
 void add_chain_arguments(cli::Verb& verb, ChainArguments& arguments) {
   arguments.jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  verb.positional("IN.wav", arguments.input,
-                  "recording: any format of libsndfile, 16 kHz or more; several channels are mixed down")
+  verb.positional(
+          "IN.wav", arguments.input,
+          "recording: any format of libsndfile, 16 kHz or more; several channels are mixed down; `-`: "
+          "standard input")
       .required();
   verb.option("--method", arguments.method, "click-nmf, or paper: the drilling paper's own chain")
       .one_of({"click-nmf", "paper"})
