@@ -24,10 +24,13 @@ void flush_to_disk(const std::filesystem::path& path) {
 }
 
 std::filesystem::path behind_links(const std::filesystem::path& target) {
+  constexpr int kMostLinks = 40;  // as the system follows
   std::error_code error;
-  if (!std::filesystem::is_symlink(target, error)) return target;
-  const std::filesystem::path place = std::filesystem::weakly_canonical(target, error);
-  return error ? target : place;
+  std::filesystem::path place = target;
+  for (int links = 0; links < kMostLinks && std::filesystem::is_symlink(place, error); ++links)
+    place =
+        place.parent_path() / std::filesystem::read_symlink(place, error);  // an absolute one replaces all
+  return place;
 }
 
 }  // namespace rigsound::file
