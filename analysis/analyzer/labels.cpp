@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "rigsound/config/sound_set_index.hpp"
+#include "rigsound/file/input_file.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
@@ -98,18 +99,18 @@ Label parse(const Place& place, const std::string& text) {
 }  // namespace
 
 std::vector<Label> read_labels(const std::filesystem::path& path) {
-  std::ifstream in(path);
-  if (!in) throw InputError(path.string(), "cannot be read, expected an Audacity label file");
+  const InputFile input(path, "label file of Audacity");
+  std::ifstream in(input.path());
   std::vector<Label> labels;
   std::string text;
-  for (Place place{path.string(), 1}; std::getline(in, text); ++place.line) {
+  for (Place place{input.name(), 1}; std::getline(in, text); ++place.line) {
     if (place.line == 1 && text.compare(0, kByteOrderMark.size(), kByteOrderMark) == 0)
       text.erase(0, kByteOrderMark.size());
     if (!text.empty() && text.back() == '\r') text.pop_back();
     if (text.find_first_not_of(" \t") == std::string::npos || text[0] == '\\') continue;
     labels.push_back(parse(place, text));
   }
-  if (labels.empty()) throw InputError(path.string(), fmt::format("holds no labels, {}", kGrammar));
+  if (labels.empty()) throw InputError(input.name(), fmt::format("holds no labels, {}", kGrammar));
   return labels;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "rigsound/analysis/rate.hpp"
+#include "rigsound/file/input_file.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
@@ -26,15 +27,15 @@ std::vector<std::string> cells(const std::string& line) {
 }  // namespace
 
 TimeTable read_time_table(const std::filesystem::path& file, std::string_view column) {
-  std::ifstream in(file);
-  if (!in) throw InputError(file.string(), "cannot be read");
+  const InputFile input(file, "CSV file");
+  std::ifstream in(input.path());
   std::string line;
   std::getline(in, line);
   const std::vector<std::string> heading = cells(line);
   const auto place = [&](std::string_view wanted) {
     const auto found = std::find(heading.begin(), heading.end(), wanted);
     if (found == heading.end())
-      throw InputError(file.string(), 1, wanted,
+      throw InputError(input.name(), 1, wanted,
                        "is no column of this file, expected a heading such as time_s," + std::string(column));
     return static_cast<std::size_t>(found - heading.begin());
   };
@@ -49,14 +50,14 @@ TimeTable read_time_table(const std::filesystem::path& file, std::string_view co
       const std::string text = at < row.size() ? row[at] : "";
       const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
       if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(x))
-        throw InputError(file.string(), number, heading[at], "'" + text + "' is no number");
+        throw InputError(input.name(), number, heading[at], "'" + text + "' is no number");
       return x;
     };
     table.time_s.push_back(value(time_at)), table.value.push_back(value(value_at));
     if (table.time_s.size() > 1 && table.time_s.back() < table.time_s[table.time_s.size() - 2])
-      throw InputError(file.string(), number, "time_s", "falls back, expected ascending times");
+      throw InputError(input.name(), number, "time_s", "falls back, expected ascending times");
   }
-  if (table.time_s.empty()) throw InputError(file.string(), "holds no row, expected at least one");
+  if (table.time_s.empty()) throw InputError(input.name(), "holds no row, expected at least one");
   return table;
 }
 

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "rigsound/audio/sample_format.hpp"
+#include "rigsound/file/input_file.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "rigsound/machine/limits.hpp"
 #include "session/session_format.hpp"
@@ -16,8 +17,8 @@ namespace rigsound::session {
 namespace {
 
 std::string read_all(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(file.string(), "cannot be opened, expected a session");
+  const InputFile input(file, "session");
+  std::ifstream in(input.path(), std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 

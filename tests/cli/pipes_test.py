@@ -59,6 +59,19 @@ class Reading(Case):
         pipe = self.through_pipe(SHIFT, SHIFT.read_bytes())
         self.assertEqual(self.run_verb('decode', self.demo, '--log', pipe).stdout, told)
 
+    def test_rigs_labels_and_tracks_come_through_pipes(self):
+        rig = self.rig.read_text().replace('"set"', f'"{self.folder / "set"}"').encode()
+        self.assertEqual(self.run_verb('check', '-', input=rig).stdout, self.run_verb('check', self.rig).stdout)
+        self.assertEqual(self.run_verb('check', self.through_pipe(self.rig, rig)).returncode, 0)
+        recording = write_wav(self.folder / 'in.wav', [strikes(1.5)])
+        new = self.folder / 'new'
+        result = self.run_verb('analyze', recording, '--labels', '-', '--out', new, input=b'0\t1\tnormla\n')
+        self.assertIn(b"standard input:1: situation: 'normla' is none", result.stderr)
+        for option, table in (('--rpm-track', b'time_s,rpm\n0,800\n1.5,80\n'), ('--clicks', b'time_s,amplitude\n1,1\n0,1\n')):
+            speed = [] if option == '--rpm-track' else ['--rpm', '800']
+            result = self.run_verb('background', recording, *speed, option, '-', '--out', new, input=table)
+            self.assertRegex(result.stderr, rb'^(-: rpm: is 80 at|standard input:3: time_s: falls back)')
+
     def test_recordings_come_through_pipes_whole_and_with_sizes_nobody_knew(self):
         recording = write_wav(self.folder / 'in.wav', [strikes(1.5)], 44100)
         raw = recording.read_bytes()
