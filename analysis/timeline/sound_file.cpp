@@ -11,7 +11,7 @@
 
 namespace rigsound::analysis {
 
-SoundFile read_sound(const std::filesystem::path& file) {
+SoundFile read_sound(const std::filesystem::path& file, const Progress& progress) {
   constexpr sf_count_t kFramesAtOnce = 65536;
   const InputFile input(file, "sound file");
   SF_INFO format{};
@@ -20,7 +20,8 @@ SoundFile read_sound(const std::filesystem::path& file) {
   if (!in) throw InputError(input.name(), std::string("cannot be read: ") + sf_strerror(nullptr));
   SoundFile sound{{}, format.samplerate, format.channels, 0};
   std::vector<float> frames(static_cast<std::size_t>(kFramesAtOnce * format.channels));
-  for (sf_count_t got; (got = sf_readf_float(in.get(), frames.data(), kFramesAtOnce)) > 0;)
+  for (sf_count_t got; (got = sf_readf_float(in.get(), frames.data(), kFramesAtOnce)) > 0;) {
+    if (progress) progress(static_cast<double>(sound.mono.size()) / static_cast<double>(format.frames));
     for (sf_count_t n = 0; n < got; ++n) {
       double sum = 0;
       for (int c = 0; c < format.channels; ++c) {
@@ -31,6 +32,7 @@ SoundFile read_sound(const std::filesystem::path& file) {
       if (!std::isfinite(sum)) throw InputError(input.name(), "holds a sample that is not finite");
       sound.mono.push_back(static_cast<float>(sum / format.channels));
     }
+  }
   if (sound.mono.empty()) throw InputError(input.name(), "holds no sample");
   return sound;
 }

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "rigsound/analysis/progress.hpp"
+
 namespace rigsound::analysis {
 
 struct SoundFile {
@@ -16,6 +18,6 @@ struct SoundFile {
 
 /// Errors: InputError when libsndfile cannot read it, it holds no sample or one that is not finite. Thread:
 /// OFF.
-SoundFile read_sound(const std::filesystem::path& file);
+SoundFile read_sound(const std::filesystem::path& file, const Progress& progress = {});
 
 }  // namespace rigsound::analysis

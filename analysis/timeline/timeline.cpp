@@ -322,12 +322,17 @@ void Drawing::draw_spectrogram() {
 }  // namespace
 
 void write_timeline(const std::filesystem::path& picture, const std::filesystem::path& sound,
-                    const std::filesystem::path& states, const TimelineOptions& options) {
+                    const std::filesystem::path& states, const TimelineOptions& options,
+                    const Progress& progress) {
+  constexpr double kRead = 0.5;  // of the time, roughly; drawing is the rest
   require_apart({picture}, {sound, states});
   const session::StateTable table = session::read_states(states);
-  const SoundFile heard = read_sound(sound);
+  const SoundFile heard = read_sound(sound, part_of(progress, 0, kRead));
+  const Progress drawn = part_of(progress, kRead, 1);
   Drawing drawing(heard, table, options);
+  if (drawn) drawn(0);
   drawing.draw(options.title.empty() ? sound.filename().string() : options.title);
+  if (drawn) drawn(0.5);
   AtomicFile file(picture);
   drawing.write(file.temporary());
   file.commit();

@@ -48,24 +48,27 @@ class Progress(unittest.TestCase):
         self.rig = at / 'rig.toml'
         self.rig.write_text('[sound]\nset = "set"\n[[udp]]\naddress = "127.0.0.1:45217"\n')
         self.states = at / 'states.csv'
-        self.states.write_text('time_s,signal,value\n0,engine_rpm,1500\n20,engine_rpm,0\n')
+        self.states.write_text('time_s,signal,value\n0,engine_rpm,1500\n90,engine_rpm,0\n')
         self.recording = write_wav(at / 'in.wav', [strikes(7)])
         self.log_rig = at / 'log.toml'
         self.log_rig.write_text(f'[sound]\nset = "set"\n[[can]]\ninterface = "can0"\ndbc = "{ROOT}/config/dbc/rig.dbc"\n'
                                 '[can.signals]\nengine_rpm = "EEC1.EngSpeed"\n')
 
     def verbs(self):
-        new = self.folder / 'new'
+        new, long_sound = self.folder / 'new', self.folder / 'long.wav'
+        if not long_sound.exists():
+            subprocess.run([RIGSOUND, 'resynth', self.folder / 'set/banks/normal', long_sound, '--seconds', '300'], check=True)
         yield 'render', ['render', self.rig, '--states', self.states, '--out', new.with_suffix('.wav')]
-        yield 'render of a log', ['render', self.log_rig, '--log', ROOT / 'config/logs/shift.log', '--to', 30, '--out', new.with_suffix('.wav')]
-        yield 'resynth', ['resynth', self.folder / 'set/banks/normal', new.with_suffix('.wav'), '--seconds', 100]
-        yield 'simulate', ['simulate', '--ids', '100-103', '--seconds', 1, '--out', self.folder / 'sim']
+        yield 'render of a log', ['render', self.log_rig, '--log', ROOT / 'config/logs/shift.log', '--to', 90, '--out', new.with_suffix('.wav')]
+        yield 'resynth', ['resynth', self.folder / 'set/banks/normal', new.with_suffix('.wav'), '--seconds', 300]
+        yield 'simulate', ['simulate', '--ids', '100-123', '--seconds', 1, '--out', self.folder / 'sim']
         yield 'clicks', ['clicks', self.recording, '--jobs', 1]
         yield 'denoise', ['denoise', self.recording, new.with_suffix('.wav'), '--jobs', 1]
         yield 'tool', ['tool', '--from', self.recording, '--length', 0.5, '--diameter', 0.025]
         yield 'background', ['background', '--formula', '--resynth', new.with_suffix('.wav'), '--seconds', 60]
         yield 'contrast', ['contrast', self.rig, '--seconds', 4, '--runs', 2]
         yield 'bench', ['bench', '--seconds', 0.1]
+        yield 'timeline', ['timeline', self.folder / 'a.png', '--wav', long_sound, '--states', self.states]
         yield 'record', ['record', self.rig, '--out', new.with_suffix('.pcap'), '--seconds', 1]
 
     def test_a_bar_that_grows_and_goes_on_a_terminal_and_nothing_elsewhere(self):

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "endings.hpp"
+#include "progress_bar.hpp"
 #include "rigsound/analysis/timeline.hpp"
 #include "rigsound/config/rig.hpp"
 #include "rigsound/machine/signal.hpp"
@@ -30,7 +31,9 @@ void draw(TimelineArguments o) {
     throw cli::UsageError("--underfeed",
                           fmt::format("is {:g} bar, expected less than the {:g} bar of overfeed",
                                       scene.underfeed_bar, scene.overfeed_bar));
-  analysis::write_timeline(o.picture, o.sound, o.states, o.timeline);
+  ProgressBar bar;
+  analysis::write_timeline(o.picture, o.sound, o.states, o.timeline,
+                           [&bar](double share) { bar.show(share); });
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "rigsound/analysis/progress.hpp"
 #include "rigsound/options.hpp"
 
 namespace rigsound::analysis {
@@ -23,6 +24,7 @@ constexpr int kMinTimelineWidth = 640, kMinTimelineHeight = 480, kMaxTimelineSid
 /// Errors: InputError with file and line when an input cannot be used or is `picture` itself, DeviceError.
 /// Thread: OFF.
 void write_timeline(const std::filesystem::path& picture, const std::filesystem::path& sound,
-                    const std::filesystem::path& states, const TimelineOptions& options);
+                    const std::filesystem::path& states, const TimelineOptions& options,
+                    const Progress& progress = {});
 
 }  // namespace rigsound::analysis
