@@ -11,7 +11,7 @@ namespace {
 enum Parameter { kLnAttack, kBend, kLnDecay, kShift };
 constexpr int kFinalSweeps = 8;
 
-ClickEnvelope unpack(const std::vector<double>& t) {
+ClickEnvelope envelope_of(const std::vector<double>& t) {
   const double N_a = std::exp(t[kLnAttack]);
   return {N_a, t[kBend] / N_a, std::exp(t[kLnDecay])};
 }
@@ -47,7 +47,7 @@ void fit_envelope(const Eigen::ArrayXd& q, double T_0, const EnvelopeFitOptions&
   Eigen::ArrayXd v;
   const auto cost = [&](const std::vector<double>& t) {
     ModelClicks trial{shifted(clicks.onset, t[kShift], options.block), clicks.power, clicks.floor};
-    const TrainPower train(envelope_power(unpack(t), options.block), trial.onset, q.size());
+    const TrainPower train(envelope_power(envelope_of(t), options.block), trial.onset, q.size());
     update_powers(q, train, options.sweeps, kOutlierClip, trial);
     train.spread(trial.power, trial.floor, v);
     return model_cost(q, v, options.block) + prior(t, T_0);
@@ -56,7 +56,7 @@ void fit_envelope(const Eigen::ArrayXd& q, double T_0, const EnvelopeFitOptions&
                                      envelope.attack_bend * envelope.attack_samples, std::log(envelope.decay),
                                      0};
   const std::vector<double> best = nelder_mead(cost, start, simplex(T_0, options));
-  envelope = unpack(best);
+  envelope = envelope_of(best);
   clicks.onset = shifted(clicks.onset, best[kShift], options.block);
   update_powers(q, TrainPower(envelope_power(envelope, options.block), clicks.onset, q.size()), kFinalSweeps,
                 kOutlierClip, clicks);

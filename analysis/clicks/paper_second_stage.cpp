@@ -42,7 +42,7 @@ void drop_close_clicks(PaperClicks& clicks) {
   }
 }
 
-ClickEnvelope unpack(const std::vector<double>& t) { return {t[0], t[1] / t[0], t[2]}; }
+ClickEnvelope shape_of(const std::vector<double>& t) { return {t[0], t[1] / t[0], t[2]}; }
 
 }  // namespace
 
@@ -90,9 +90,9 @@ ClickEnvelope paper_envelope(const Eigen::ArrayXd& y, const PaperClicks& clicks,
   simplex.lower = {2, -8, 0.1 / T};
   simplex.upper = {std::max(4.0, 0.5 * T), 8, 15 / T};
   simplex.evaluations = kEvaluations;
-  return unpack(nelder_mead([&](const std::vector<double>& t) { return flatness(y, clicks, unpack(t)); },
-                            {start.attack_samples, start.attack_bend * start.attack_samples, start.decay},
-                            simplex));
+  return shape_of(nelder_mead([&](const std::vector<double>& t) { return flatness(y, clicks, shape_of(t)); },
+                              {start.attack_samples, start.attack_bend * start.attack_samples, start.decay},
+                              simplex));
 }
 
 ClickTrain paper_clicks(const Eigen::ArrayXd& y) {

@@ -89,8 +89,8 @@ struct SideOfNormal {
   Situation situation;
   int sign;
 };
-constexpr SideOfNormal kSides[] = {{&Contrast::under, Situation::kUnderfeed, -1},
-                                   {&Contrast::over, Situation::kOverfeed, 1}};
+constexpr SideOfNormal kSidesOfNormal[] = {{&Contrast::under, Situation::kUnderfeed, -1},
+                                           {&Contrast::over, Situation::kOverfeed, 1}};
 
 void draw_fit(Plot& plot, const Contrast& c, const SideOfNormal& side) {
   const Reach& reach = c.*side.reach;
@@ -139,12 +139,12 @@ std::string heard_chart(const Contrast& c) {
                   kWide);
   Plot& plot = chart.plot();
   plot.horizontal(100 * kToldRight, {Role::kGrey, 0.9, 3});
-  for (const SideOfNormal& side : kSides) draw_fit(plot, c, side);
+  for (const SideOfNormal& side : kSidesOfNormal) draw_fit(plot, c, side);
   for (const FeedFigures& f : c.feed)
     if (f.of > 0)
       plot.dot(f.feed_bar, 100.0 * f.right / f.of, 3.2, Role::kFirst,
                fmt::format("{:g} bar: {} of {} excerpts right", f.feed_bar, f.right, f.of));
-  for (const SideOfNormal& side : kSides) draw_reach(chart, c, side);
+  for (const SideOfNormal& side : kSidesOfNormal) draw_reach(chart, c, side);
   return chart.svg();
 }
 

@@ -9,13 +9,13 @@
 namespace rigsound::analysis {
 namespace {
 
-struct Side {
+struct FeedSide {
   const char *name, *way, *where;  ///< of the situation, of the feed towards it, of it against normal
   Reach Contrast::*reach;
   double SceneOptions::*threshold_bar;
   int sign;
 };
-constexpr Side kSides[] = {
+constexpr FeedSide kSides[] = {
     {"overfeed", "up", "above", &Contrast::over, &SceneOptions::overfeed_bar, 1},
     {"underfeed", "down", "below", &Contrast::under, &SceneOptions::underfeed_bar, -1},
 };
@@ -26,7 +26,7 @@ std::string capital(std::string text) {
 }
 
 /// The highest share told right on one side, %.
-double best_percent(const Contrast& c, const Side& side) {
+double best_percent(const Contrast& c, const FeedSide& side) {
   double best = 0;
   for (const FeedFigures& f : c.feed)
     if (f.of > 0 && (f.feed_bar - c.plan.points.normal) * side.sign > 0)
@@ -41,7 +41,7 @@ std::string against_threshold(double bar, const char* name) {
                      name);
 }
 
-std::string feed_verdict(const Contrast& c, const Side& side) {
+std::string feed_verdict(const Contrast& c, const FeedSide& side) {
   const Reach& reach = c.*side.reach;
   const double normal = c.plan.points.normal;
   if (!reach.found)
@@ -107,7 +107,7 @@ std::string bank_list(const ContrastSubject& subject) {
 
 std::vector<std::string> contrast_verdicts(const Contrast& c) {
   std::vector<std::string> verdicts;
-  for (const Side& side : kSides) verdicts.push_back(feed_verdict(c, side));
+  for (const FeedSide& side : kSides) verdicts.push_back(feed_verdict(c, side));
   verdicts.push_back(group_verdict(c.situations, "All five situations"));
   if (!c.rods.pairs.empty()) verdicts.push_back(group_verdict(c.rods, "Strings of 1, 6 and 20 rods"));
   if (!c.rocks.pairs.empty()) verdicts.push_back(group_verdict(c.rocks, "All rocks"));
@@ -117,7 +117,7 @@ std::vector<std::string> contrast_verdicts(const Contrast& c) {
 std::vector<std::string> contrast_warnings(const Contrast& c) {
   std::vector<std::string> lines;
   for (const SubjectGroup* group : {&c.situations, &c.rods, &c.rocks}) add_warnings(c, *group, lines);
-  for (const Side& side : kSides)
+  for (const FeedSide& side : kSides)
     if (!(c.*side.reach).found)
       lines.push_back(fmt::format("{}: warning: {} cannot be heard at any feed {} normal",
                                   c.plan.sound_set.string(), side.name, side.where));

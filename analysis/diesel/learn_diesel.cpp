@@ -18,7 +18,7 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr double kHighestOrder_hz = 11000;
+constexpr double kHighestLearned_hz = 11000;
 constexpr double kSlot_s = 0.0022;
 constexpr double kBelowCrossover = 0.7;  // high-pass of the analysis; the voice has its own at f_x
 constexpr int kWindowCycles = 8;         // of a run-up, for the body
@@ -51,7 +51,7 @@ int body_order(const std::vector<Section>& sections) {
 }
 
 int last_order(const Section& s, int N_theta) {
-  const double highest = std::min(kHighestOrder_hz, 0.95 * s.nyquist_hz);
+  const double highest = std::min(kHighestLearned_hz, 0.95 * s.nyquist_hz);
   return std::min(static_cast<int>(highest / s.f0()), N_theta / 2 - 1);
 }
 

@@ -16,7 +16,7 @@ constexpr std::size_t kHydraulicSettle = 4096;  // samples the hydraulic filter 
 
 using Phasor = std::complex<double>;
 
-void normalise(std::vector<double>& x) {
+void to_unit_power(std::vector<double>& x) {
   double energy = 0;
   for (const double v : x) energy += v * v;
   const double scale = 1 / std::sqrt(energy / static_cast<double>(x.size()));
@@ -71,7 +71,7 @@ std::vector<double> diesel(const std::vector<double>& phi, SplitMix& stream) {
     }
     e[n] = sum;
   }
-  normalise(e);
+  to_unit_power(e);
   return e;
 }
 
@@ -85,7 +85,7 @@ std::vector<double> hydraulics(std::size_t frames, SplitMix& stream, SplitMix& n
   std::vector<double> x = noise.normals(frames + kHydraulicSettle);
   filter(colour, x);
   x.erase(x.begin(), x.begin() + kHydraulicSettle);
-  normalise(x);
+  to_unit_power(x);
   const double swell_hz = stream.uniform(.15, .35), swell_phase = dsp::kTwoPi * stream.uniform();
   for (std::size_t n = 0; n < frames; ++n) {
     const double t = static_cast<double>(n) / kAnalysisRate;
@@ -103,7 +103,7 @@ std::vector<double> pump_whine(const std::vector<double>& phi, SplitMix& stream)
     for (std::size_t n = 0; n < x.size(); ++n)
       x[n] += kAmplitudes[k - 1] * std::cos(k * ratio * phi[n] + phase);
   }
-  normalise(x);
+  to_unit_power(x);
   return x;
 }
 
@@ -143,7 +143,7 @@ std::vector<double> background_noise(const BackgroundScene& scene, SplitMix& str
   const double whine_gain = std::pow(10, -10.0 / 20), floor_gain = std::pow(10, -25.0 / 20);
   for (std::size_t n = 0; n < sum.size(); ++n)
     sum[n] += oil[n] + whine_gain * whine[n] + floor_gain * noise.normal();
-  normalise(sum);
+  to_unit_power(sum);
   return sum;
 }
 

@@ -14,14 +14,14 @@ namespace {
 
 constexpr int kCylinders = 6, kTicks = 12, kPumpOrder = 18, kGearOrder = 94;
 constexpr double kDegree = 1.0 / 720, kPulse = 11 * kDegree, kLevel = 0.12;
-constexpr std::uint64_t kMachine = 77;
+constexpr std::uint64_t kDieselSeed = 77;
 
 using Signal = std::vector<double>;
 
 /// What makes this diesel this one: cylinders and ticks differ, always in the same way.
 struct Machine {
   Machine() {
-    SplitMix draw(kMachine);
+    SplitMix draw(kDieselSeed);
     for (double& g : strength) g = 1 + 0.15 * draw.normal();
     for (double& t : timing) t = 0.8 * kDegree * draw.normal();
     for (double& a : tick_angle) a = draw.uniform();

@@ -29,7 +29,7 @@ std::vector<double> string_modes_hz(int rods) {
   return modes;
 }
 
-void normalise(std::vector<double>& x) {
+void to_unit_norm(std::vector<double>& x) {
   double energy = 0;
   for (const double v : x) energy += v * v;
   for (double& v : x) v /= std::sqrt(energy);
@@ -91,7 +91,7 @@ std::vector<double> DrillingClicks::draw(const DrillingPoint& point) {
   for (int n = 0; n < length; ++n) click[n] = a[n] * (noise_gain * click[n] + ring_gain * ringing[n]);
   click.resize(click.size() + kRingOut, 0.0);
   filter(drilling_colour(point), click);
-  normalise(click);
+  to_unit_norm(click);
   return click;
 }
 

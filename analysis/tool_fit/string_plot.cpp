@@ -12,17 +12,17 @@ namespace {
 
 using chart::Box, chart::Canvas, chart::Lettering, chart::Plot, chart::Role;
 
-constexpr double kWidth = 900, kHeight = 900, kHead = 72, kGap = 10;
-constexpr Box kErrors{0, kHead, kWidth, 330}, kDecays{0, 330 + kGap, kWidth, 610},
-    kReflection{0, 610 + kGap, kWidth, kHeight};
+constexpr double kPageWidth = 900, kPageHeight = 900, kPageHead = 72, kGap = 10;
+constexpr Box kErrors{0, kPageHead, kPageWidth, 330}, kDecays{0, 330 + kGap, kPageWidth, 610},
+    kReflection{0, 610 + kGap, kPageWidth, kPageHeight};
 
-struct Family {
+struct ModeFamily {
   const char* name;
   std::vector<StringMode> StringFigures::*modes;
   Role role;
   double dot;  ///< radius
 };
-constexpr Family kFamilies[] = {
+constexpr ModeFamily kModeFamilies[] = {
     {"bending", &StringFigures::bending, Role::kFirst, 3.2},
     {"string", &StringFigures::string, Role::kThird, 2.6},
     {"rods without joints", &StringFigures::rods, Role::kOnset, 2},
@@ -35,7 +35,7 @@ chart::Axis frequency(std::string label) {
 
 double worst_cents(const StringFigures& figures) {
   double worst = 0.1;
-  for (const Family& family : kFamilies)
+  for (const ModeFamily& family : kModeFamilies)
     for (const StringMode& mode : figures.*family.modes) worst = std::max(worst, std::fabs(mode.error_cents));
   return worst;
 }
@@ -45,11 +45,11 @@ void draw_errors(Canvas& canvas, const StringFigures& figures) {
   const double worst = worst_cents(figures), span = worst <= 1 ? 1 : std::ceil(worst);
   Plot plot(canvas, kErrors, "Error of each mode", frequency(""),
             chart::linear_axis("cents", -span, span, 4));
-  for (const Family& family : kFamilies)
+  for (const ModeFamily& family : kModeFamilies)
     for (const StringMode& mode : figures.*family.modes)
       plot.verticals({mode.target_hz}, {{family.role, 0.25}, 0.8});
   plot.horizontal(0, {Role::kGrey, 0.8});
-  for (const Family& family : kFamilies)
+  for (const ModeFamily& family : kModeFamilies)
     for (const StringMode& mode : figures.*family.modes)
       plot.dot(mode.model_hz, mode.error_cents, family.dot, family.role,
                fmt::format("{} {}: wanted {:.2f} Hz, reached {:.2f} Hz, {:+.3f} cents", family.name,
@@ -72,7 +72,7 @@ chart::Axis decay_axis(const StringFigures& figures) {
 
 void draw_decays(Canvas& canvas, const StringFigures& figures) {
   Plot plot(canvas, kDecays, "T60", frequency("frequency, Hz"), decay_axis(figures));
-  for (const Family& family : {kFamilies[1], kFamilies[0]}) {
+  for (const ModeFamily& family : {kModeFamilies[1], kModeFamilies[0]}) {
     std::vector<double> hz, free_s, pressed_s;
     for (const StringMode& mode : figures.*family.modes) {
       hz.push_back(mode.model_hz);
@@ -120,7 +120,7 @@ void draw_reflection(Canvas& canvas, std::string_view rock, const StringFigures&
 void draw_reading(Canvas& canvas) {
   const double y = kReflection.bottom - 46;
   canvas.text({66, y}, "← bit in the air: all comes back, the string rings", {Role::kGrey});
-  canvas.text({kWidth - 18, y}, "rigid wall: the hammer rebounds →",
+  canvas.text({kPageWidth - 18, y}, "rigid wall: the hammer rebounds →",
               {Role::kGrey, 11, Lettering::Anchor::kEnd});
 }
 
@@ -128,13 +128,13 @@ void draw_reading(Canvas& canvas) {
 
 std::string string_plot_svg(std::string_view title, std::string_view rock, const StringFigures& figures) {
   constexpr double kTitleSize = 16, kLegendSize = 12, kLine = 28, kLegendLine = 52;
-  chart::SvgCanvas canvas(kWidth, kHeight);
+  chart::SvgCanvas canvas(kPageWidth, kPageHeight);
   canvas.text({54, kLine}, std::string(title),
               {Role::kInk, kTitleSize, Lettering::Anchor::kStart, Lettering::Weight::kBold});
   std::vector<chart::Word> legend;
-  for (const Family& family : kFamilies)
+  for (const ModeFamily& family : kModeFamilies)
     legend.push_back({fmt::format("● {}: {}", family.name, (figures.*family.modes).size()), family.role});
-  canvas.words({kWidth - 10, kLegendLine}, legend, kLegendSize);
+  canvas.words({kPageWidth - 10, kLegendLine}, legend, kLegendSize);
   draw_errors(canvas, figures);
   draw_decays(canvas, figures);
   draw_reflection(canvas, rock, figures);

@@ -16,8 +16,6 @@ namespace {
 
 using Cues = SF_CUES_VAR(kMaxBankClicks);
 
-constexpr double kUnitTolerance = 1e-5;  // float rounding of a long click stays below
-
 std::unique_ptr<Cues> cues_of(const Clicks& clicks) {
   auto cues = std::make_unique<Cues>();
   std::uint32_t start = 0;
@@ -38,7 +36,7 @@ std::vector<float> unit_click(std::vector<float> click, const std::string& file,
   if (!std::isfinite(energy)) throw InputError(file, which + " has samples that are not finite numbers");
   if (energy < 1e-20) throw InputError(file, which + " is silent, expected a sound at every cue point");
   const double norm = std::sqrt(energy);
-  if (std::fabs(norm - 1) > kUnitTolerance)
+  if (std::fabs(norm - 1) > kUnitNormTolerance)
     for (float& x : click) x = static_cast<float>(x / norm);
   return click;
 }

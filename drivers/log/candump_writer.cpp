@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "log/frame_text.hpp"
 #include "rigsound/device_error.hpp"
 
 namespace rigsound::log {
-namespace {
-
-constexpr std::uint32_t kErrorFlag = 0x20000000;
-
-}  // namespace
+namespace {}  // namespace
 
 std::string candump_line(const CanRecord& record) {
   const can::Frame& f = record.frame;

@@ -2,6 +2,7 @@
 
 #include <pcap/pcap.h>
 
+#include "log/ip_packet.hpp"
 #include "rigsound/device_error.hpp"
 
 namespace rigsound::log {
@@ -10,7 +11,6 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr int kLongestPacket = 65535;
-constexpr int kTcp = 6, kUdp = 17;
 
 void put(Bytes& out, std::uint32_t value, int bytes) {
   for (int shift = 8 * (bytes - 1); shift >= 0; shift -= 8)

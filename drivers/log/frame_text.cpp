@@ -5,7 +5,6 @@
 namespace rigsound::log {
 namespace {
 
-constexpr std::uint32_t kErrorFlag = 0x20000000;
 constexpr std::uint32_t kExtendedMask = 0x1FFFFFFF, kStandardMask = 0x7FF;
 
 bool parse_data(LineCursor& at, can::Frame& frame, int most) {

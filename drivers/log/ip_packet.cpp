@@ -7,7 +7,6 @@
 namespace rigsound::log {
 namespace {
 
-constexpr int kTcp = 6, kUdp = 17;
 constexpr unsigned kIpv4 = 0x0800, kIpv6 = 0x86dd, kVlan = 0x8100, kProviderVlan = 0x88a8;
 
 /// A view that never reads past its end.
@@ -48,13 +47,13 @@ View strip_link(int link_type, View v) {
 }
 
 /// What an IP packet carries, and between whom; ports are not known yet.
-struct Payload {
+struct IpPayload {
   int protocol = 0;
   Endpoint from, to;
   View inside{nullptr, 0};
 };
 
-bool strip_ipv4(View v, Payload& p) {
+bool strip_ipv4(View v, IpPayload& p) {
   if (!v.has(20)) return false;
   const std::size_t head = (v.bytes[0] & 15) * 4, total = v.word(2);
   const bool fragment = (v.word(6) & 0x3fff) != 0;
@@ -66,7 +65,7 @@ bool strip_ipv4(View v, Payload& p) {
   return true;
 }
 
-bool strip_ipv6(View v, Payload& p) {
+bool strip_ipv6(View v, IpPayload& p) {
   if (!v.has(40)) return false;
   const std::size_t size = v.word(4);
   if (!v.has(40 + size)) return false;
@@ -79,9 +78,9 @@ bool strip_ipv6(View v, Payload& p) {
 }
 
 /// The payload of `protocol`, ports told, or nothing.
-std::optional<Payload> payload_of(int link_type, View packet, int protocol, std::size_t least) {
+std::optional<IpPayload> payload_of(int link_type, View packet, int protocol, std::size_t least) {
   const View ip = strip_link(link_type, packet);
-  Payload payload;
+  IpPayload payload;
   if (!ip.has(1)) return std::nullopt;
   const int version = ip.bytes[0] >> 4;
   const bool good = version == 4 ? strip_ipv4(ip, payload) : version == 6 && strip_ipv6(ip, payload);

@@ -8,6 +8,8 @@
 
 namespace rigsound::log {
 
+constexpr int kTcp = 6, kUdp = 17;  ///< protocol numbers of IP
+
 struct Endpoint {
   std::array<std::uint8_t, 16> address{};  ///< IPv4 in the first four bytes
   bool v6 = false;

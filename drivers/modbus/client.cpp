@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::int64_t kRound_ms = 200;
 
-bool is_exception(int error) { return error >= EMBXILFUN && error <= EMBXGTAR; }
 bool is_bad_frame(int error) {
   return error == EMBBADCRC || error == EMBBADDATA || error == EMBMDATA || error == EMBBADSLAVE;
 }

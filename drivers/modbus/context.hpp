@@ -17,6 +17,9 @@ struct FreeContext {
 };
 using Context = std::unique_ptr<modbus_t, FreeContext>;
 
+/// Whether a device has answered, with an exception: what libmodbus leaves in errno.
+inline bool is_exception(int error) { return error >= EMBXILFUN && error <= EMBXGTAR; }
+
 /// A context for the options' device, not yet connected. Link recovery of libmodbus stays off: it loops
 /// for ever. Throws DeviceError when libmodbus refuses the options.
 Context make_context(const ModbusOptions& options);

@@ -21,8 +21,6 @@ Context connected(const ModbusOptions& options) {
   return context;
 }
 
-bool is_exception(int error) { return error >= EMBXILFUN && error <= EMBXGTAR; }
-
 }  // namespace
 
 std::vector<Probed> probe(const ModbusOptions& options) {

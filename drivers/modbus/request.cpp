@@ -3,9 +3,9 @@
 namespace rigsound::modbus {
 namespace {
 
-using Bytes = const std::uint8_t*;
+using RawBytes = const std::uint8_t*;
 
-std::uint16_t word(Bytes at) { return static_cast<std::uint16_t>(at[0] << 8 | at[1]); }
+std::uint16_t word(RawBytes at) { return static_cast<std::uint16_t>(at[0] << 8 | at[1]); }
 
 bool fits(const Range& range, int most) {
   return range.count >= 1 && range.count <= most && range.address + range.count <= 0x10000;
@@ -15,14 +15,14 @@ std::optional<Refusal> refuse_unless(bool good) {
   return good ? std::nullopt : std::optional<Refusal>(Refusal::kValue);
 }
 
-std::optional<Refusal> parse_read(Bytes pdu, std::size_t size, Table table, int most, Request& r) {
+std::optional<Refusal> parse_read(RawBytes pdu, std::size_t size, Table table, int most, Request& r) {
   if (size != 5) return Refusal::kValue;
   r.table = table;
   r.read = Range{word(pdu + 1), word(pdu + 3)};
   return refuse_unless(fits(*r.read, most));
 }
 
-std::optional<Refusal> parse_single(Bytes pdu, std::size_t size, Table table, Request& r) {
+std::optional<Refusal> parse_single(RawBytes pdu, std::size_t size, Table table, Request& r) {
   if (size != 5) return Refusal::kValue;
   r.table = table;
   r.write = Range{word(pdu + 1), 1};
@@ -35,7 +35,7 @@ std::optional<Refusal> parse_single(Bytes pdu, std::size_t size, Table table, Re
   return refuse_unless(value == 0xff00 || value == 0);
 }
 
-std::optional<Refusal> parse_coils(Bytes pdu, std::size_t size, Request& r) {
+std::optional<Refusal> parse_coils(RawBytes pdu, std::size_t size, Request& r) {
   if (size < 6) return Refusal::kValue;
   r.table = Table::kCoil;
   r.write = Range{word(pdu + 1), word(pdu + 3)};
@@ -47,7 +47,8 @@ std::optional<Refusal> parse_coils(Bytes pdu, std::size_t size, Request& r) {
 }
 
 // `head` bytes up to and with the byte count, then the registers.
-std::optional<Refusal> parse_registers(Bytes pdu, std::size_t size, std::size_t head, int most, Request& r) {
+std::optional<Refusal> parse_registers(RawBytes pdu, std::size_t size, std::size_t head, int most,
+                                       Request& r) {
   if (size < head) return Refusal::kValue;
   r.table = Table::kHolding;
   r.write = Range{word(pdu + head - 5), word(pdu + head - 3)};
@@ -57,7 +58,7 @@ std::optional<Refusal> parse_registers(Bytes pdu, std::size_t size, std::size_t 
   return std::nullopt;
 }
 
-std::optional<Refusal> parse_mask(Bytes pdu, std::size_t size, Request& r) {
+std::optional<Refusal> parse_mask(RawBytes pdu, std::size_t size, Request& r) {
   if (size != 7) return Refusal::kValue;
   r.table = Table::kHolding;
   r.write = Range{word(pdu + 1), 1};
@@ -67,7 +68,7 @@ std::optional<Refusal> parse_mask(Bytes pdu, std::size_t size, Request& r) {
   return std::nullopt;
 }
 
-std::optional<Refusal> parse_read_write(Bytes pdu, std::size_t size, Request& r) {
+std::optional<Refusal> parse_read_write(RawBytes pdu, std::size_t size, Request& r) {
   if (size < 10) return Refusal::kValue;
   r.read = Range{word(pdu + 1), word(pdu + 3)};
   if (!fits(*r.read, 125)) return Refusal::kValue;
@@ -76,7 +77,7 @@ std::optional<Refusal> parse_read_write(Bytes pdu, std::size_t size, Request& r)
 
 }  // namespace
 
-std::optional<Refusal> parse(Bytes pdu, std::size_t size, Request& request) {
+std::optional<Refusal> parse(RawBytes pdu, std::size_t size, Request& request) {
   request = {};
   if (size == 0) return Refusal::kFunction;
   switch (pdu[0]) {

@@ -13,7 +13,6 @@ namespace {
 constexpr std::string_view kMagic{"RIGSET\x1a\n", 8};
 constexpr std::uint32_t kVersion = 1;
 constexpr std::size_t kHashAt = 24, kHashed = 56, kAlignment = 64;
-constexpr double kUnitTolerance = 1e-5;
 
 // ---- what stands in the file, in its order; one function writes a part, its neighbour reads it
 
@@ -83,7 +82,7 @@ std::vector<float> read_click(PackReader& in, std::string_view samples) {
   if (count > 0) std::memcpy(click.data(), samples.data() + at, count * sizeof(float));
   double energy = 0;
   for (const float x : click) energy += static_cast<double>(x) * x;
-  if (!(std::fabs(std::sqrt(energy) - 1) <= kUnitTolerance))
+  if (!(std::fabs(std::sqrt(energy) - 1) <= kUnitNormTolerance))
     in.fail("holds a click that is not of unit norm");
   return click;
 }

@@ -12,6 +12,9 @@ namespace rigsound {
 /// one.
 constexpr double kMissGap = 2, kDoubleGap = 0.45;
 
+/// How far a click's L2 norm may be from one; the float rounding of a long click stays below.
+constexpr double kUnitNormTolerance = 1e-5;
+
 /// Result of the drilling paper's analysis (section 3), errata corrected. Times are in samples at
 /// `sample_rate`, amplitudes are L2 norms in the recording's units (full scale = 1).
 struct ClickBank {

@@ -10,8 +10,8 @@
 namespace rigsound::string {
 namespace {
 
-constexpr double kLow_hz = 500, kHigh_hz = 5000;  // where the decay times of the model hold
-constexpr double kFraction_hz = 4500;             // and fractions of a sample
+constexpr double kLowLoss_hz = 500, kHighLoss_hz = 5000;  // where the decay times of the model hold
+constexpr double kFraction_hz = 4500;                     // and fractions of a sample
 // Fractions cost the more the more rods there are, and matter the less the longer these are.
 constexpr int kFewRods = 6;
 constexpr double kShortRod_m = 2.5;
@@ -80,8 +80,8 @@ void place_losses(const StringModel& model, double sample_rate, StringTuning& tu
   const auto gain = [&](double t60_s) {
     return dsp::exp(-3 * dsp::kLn10 * tuning.round_trip() / (t60_s * sample_rate));
   };
-  const double cos_low = dsp::cos(dsp::kTwoPi * kLow_hz / sample_rate);
-  const double cos_high = dsp::cos(dsp::kTwoPi * kHigh_hz / sample_rate);
+  const double cos_low = dsp::cos(dsp::kTwoPi * kLowLoss_hz / sample_rate);
+  const double cos_high = dsp::cos(dsp::kTwoPi * kHighLoss_hz / sample_rate);
   const double low = gain(model.string_low_s), high = gain(model.string_high_s);
   const double steepest = std::min(low / (1 + cos_low), (1 - low) / (1 - cos_low));
   const double swing = std::min(steepest, (low - high) / (cos_low - cos_high));
