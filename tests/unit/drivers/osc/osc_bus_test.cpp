@@ -264,7 +264,7 @@ TEST_CASE("Controls and mute go to who sets them, within their range; what canno
 
 TEST_CASE("A bundle for later waits for its time, one of a wrong clock does not") {
   Listening l;
-  l.send(bundle(tag_in(2), {of_float("/rigsound/engine_rpm", 900)}));
+  l.send(bundle(tag_in(4), {of_float("/rigsound/engine_rpm", 900)}));
   l.send(bundle(tag_in(-100), {of_float("/rigsound/boom2/feed_pressure_bar", 50)}));
   await([&] { return l.told.of(Signal::kFeedPressureBar).value == 50; });
   const double before_s = l.told.of(Signal::kFeedPressureBar).time_s;
