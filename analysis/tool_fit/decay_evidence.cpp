@@ -16,6 +16,7 @@ constexpr double kShortest_s = 0.004, kLongest_s = 60, kGridStep = 1.1;  // T60 
 constexpr std::size_t kFewestPoints = 8;  // independent values that a course is fitted to
 constexpr std::size_t kMostPoints = 256;  // more are averaged
 constexpr double kBeat_db = 2;            // what modes that beat too slowly to be seen may add to the fall
+constexpr double kWidest = 4;             // a told decay is known to a factor of two either way
 constexpr double kLeastSpread = 0.02;     // dispersion; no recording is as regular as a formula
 
 double third_octave_width(double centre_hz) {
@@ -193,7 +194,7 @@ DecayBounds bounds_of(const Course& c, double most_noise, double& noise) {
     bounds.low_s = 1 / (1 / crossing_s(c, best, *first_shorter, limit, most_noise) + beat);
   if (first_longer == fits.end() || first_longer->rate == 0 || bounds.heard_db < kHeardFall_db) return bounds;
   const double slowest = 1 / crossing_s(c, best, *first_longer, limit, most_noise) - beat;
-  if (slowest <= 0) return bounds;
+  if (slowest * kWidest * bounds.low_s < 1) return bounds;
   bounds.high_s = 1 / slowest;
   bounds.t60_s = rate_of(best.rate);
   return bounds;

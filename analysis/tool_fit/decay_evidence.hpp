@@ -29,8 +29,8 @@ struct BandEvidence {
 /// The power of a band, sampled as often as its width gives independent values, is taken as exponentially
 /// distributed round A exp(-a t) + N. N is free, but not over what the recording has before the onset. The
 /// bounds are those of the profile likelihood, with the dispersion of the residuals and their correlation,
-/// so that beating modes widen them. What rings longer than the sound lasts, or sinks into the noise
-/// before it has fallen by kHeardFall_db, has a lower bound only.
+/// so that beating modes widen them. What rings longer than the sound lasts, sinks into the noise before it
+/// has fallen by kHeardFall_db, or has bounds further apart than a factor of four, has a lower bound only.
 class DecayEvidence {
  public:
   explicit DecayEvidence(const RecordedImpact& impact);

@@ -201,7 +201,7 @@ class RecordedBlow(Case):
         set_ = self.folder / 'set'
         result = run('tool', '--from', self.blow('short.wav', 7.5, 0.162, self.modes()), *BAR, '--out', set_)
         self.assertEqual((result.returncode, result.stdout), (1, ''))
-        self.assertRegex(result.stderr, r'^\S*short.wav: tells no decay: .*\(T60 at least [\d.]+ s at \d+ Hz\), '
+        self.assertRegex(result.stderr, r'^\S*short.wav: tells the decay of 0 third octaves: .*\(T60 at least [\d.]+ s at \d+ Hz\), '
                                         r'expected .* longer sound of one impact')
         self.assertEqual(len(result.stderr.splitlines()), 1)
         self.assertFalse(set_.exists())

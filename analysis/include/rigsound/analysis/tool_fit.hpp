@@ -45,8 +45,9 @@ struct ToolFit {
 };
 
 /// Fits to the strongest impact in `recording`; no mode of the model rings longer than the recording bears
-/// out. Throws InputError when there is no impact, when no band of it tells its decay, or when length or
-/// diameter is to be estimated and the modes are not clear; `file` is named in the message. Thread: OFF.
+/// out. Throws InputError when there is no impact, when fewer than three bands tell their decay, or when
+/// length or diameter is to be estimated and the modes are not clear; `file` is named in the message. Thread:
+/// OFF.
 ToolFit fit_tool(const Recording& recording, const std::string& file, const ToolFitOptions& options,
                  const Progress& progress = {});
 
