@@ -44,10 +44,10 @@ struct ToolFit {
   const FittedBand* band_at(double hz) const;  ///< nullptr where nothing was fitted
 };
 
-/// Fits to the strongest impact in `recording`; no mode of the model rings longer than the recording bears
-/// out. Throws InputError when there is no impact, when fewer than three bands tell their decay, or when
-/// length or diameter is to be estimated and the modes are not clear; `file` is named in the message. Thread:
-/// OFF.
+/// Fits to the strongest impact in `recording`; the search keeps its modes from ringing longer than the
+/// recording bears out. Throws InputError when there is no impact, when fewer than three bands tell their
+/// decay, or when length or diameter is to be estimated and the modes are not clear; `file` is named in the
+/// message. Thread: OFF.
 ToolFit fit_tool(const Recording& recording, const std::string& file, const ToolFitOptions& options,
                  const Progress& progress = {});
 
