@@ -11,16 +11,17 @@ constexpr double kRounding = 1 + 1e-6;  // of a level that went through a file
 
 }  // namespace
 
-void FieldCheck::require(bool holds, const std::string& key, const std::string& problem) const {
-  if (!holds) throw InvalidField(where_, path_ + key, problem);
+void FieldCheck::require(bool holds, std::string_view key, std::string_view problem) const {
+  if (!holds) throw InvalidField(where_, path_ + std::string(key), std::string(problem));
 }
 
-void FieldCheck::hold(const std::string& key, double x, const Range& range) const {
-  if (!range.holds(x)) throw InvalidField(where_, path_ + key, range.problem(x));
+void FieldCheck::hold(std::string_view key, double x, const Range& range) const {
+  if (!range.holds(x)) throw InvalidField(where_, path_ + std::string(key), range.problem(x));
 }
 
-void FieldCheck::at_most(double limit, const std::string& name, double x, const std::string& key) const {
-  require(x <= limit, key, "is " + number_text(x) + ", expected at most " + name + ", " + number_text(limit));
+void FieldCheck::at_most(double limit, std::string_view name, double x, std::string_view key) const {
+  require(x <= limit, key,
+          "is " + number_text(x) + ", expected at most " + std::string(name) + ", " + number_text(limit));
 }
 
 FieldCheck FieldCheck::inside(const std::string& list, std::size_t index) const {

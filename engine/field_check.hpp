@@ -3,6 +3,7 @@
 
 #include <complex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "rigsound/diesel_model.hpp"
@@ -25,10 +26,10 @@ class FieldCheck {
   }
 
   /// For what depends on several numbers; `problem` as `is X, expected Y`.
-  void require(bool holds, const std::string& key, const std::string& problem) const;
+  void require(bool holds, std::string_view key, std::string_view problem) const;
 
   /// A limit that another number sets: `name` says which, "2 T0".
-  void at_most(double limit, const std::string& name, double x, const std::string& key) const;
+  void at_most(double limit, std::string_view name, double x, std::string_view key) const;
 
   FieldCheck inside(const std::string& key) const { return FieldCheck(where_, path_ + key + "."); }
   FieldCheck inside(const std::string& list, std::size_t index) const;
@@ -57,7 +58,7 @@ class FieldCheck {
   }
 
  private:
-  void hold(const std::string& key, double x, const Range& range) const;
+  void hold(std::string_view key, double x, const Range& range) const;
 
   std::string where_, path_;
 };

@@ -12,44 +12,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-int rock_index(const SoundSetIndex& index, const std::string& rock) {
-  if (rock.empty()) return -1;
-  const auto found = std::find_if(index.rocks.begin(), index.rocks.end(),
-                                  [&](const RockEntry& entry) { return entry.name == rock; });
-  return static_cast<int>(found - index.rocks.begin());
-}
-
-const StoredBank* bank_named(const std::string& name, const std::vector<StoredBank>& banks) {
-  const auto found = std::find_if(banks.begin(), banks.end(),
-                                  [&](const StoredBank& stored) { return stored.bank.name == name; });
-  return found == banks.end() ? nullptr : &*found;
-}
-
-/// Each bank at the engine's rate once, however many situations it serves; with another trim it is another
-/// one.
-class TrimmedBanks {
- public:
-  TrimmedBanks(const SoundSetParts& parts, double sample_rate) : parts_(parts), sample_rate_(sample_rate) {}
-
-  int place(const BankEntry& entry, std::vector<ClickBank>& banks) {
-    const std::pair<std::string, double> label(entry.name, entry.gain_db);
-    const auto found = std::find(labels_.begin(), labels_.end(), label);
-    if (found != labels_.end()) return static_cast<int>(found - labels_.begin());
-    banks.push_back(resampled(bank_named(entry.name, parts_.banks)->bank, sample_rate_));
-    banks.back().gain_db += entry.gain_db;
-    labels_.push_back(label);
-    return static_cast<int>(banks.size()) - 1;
-  }
-
- private:
-  const SoundSetParts& parts_;
-  double sample_rate_;
-  std::vector<std::pair<std::string, double>> labels_;
-};
-
 void load_banks(const fs::path& sound_set, SoundSetParts& parts) {
   for (const BankEntry& entry : parts.index.banks) {
-    if (bank_named(entry.name, parts.banks) != nullptr) continue;
+    const bool read = std::any_of(parts.banks.begin(), parts.banks.end(),
+                                  [&](const StoredBank& stored) { return stored.bank.name == entry.name; });
+    if (read) continue;
     const fs::path folder = sound_set / "banks" / entry.name;
     std::error_code error;
     if (!fs::is_directory(folder, error))
@@ -60,18 +27,6 @@ void load_banks(const fs::path& sound_set, SoundSetParts& parts) {
 }
 
 }  // namespace
-
-void require_every_situation(const SoundSetIndex& index, const std::string& file) {
-  for (const std::string_view situation : kSituationNames) {
-    const bool served = std::any_of(index.banks.begin(), index.banks.end(), [&](const BankEntry& entry) {
-      return name(entry.situation) == situation;
-    });
-    if (!served)
-      throw InputError(file, 0, "bank",
-                       "no bank serves the situation " + std::string(situation) +
-                           ", expected at least one [[bank]] for each of the five");
-  }
-}
 
 SoundSetParts load_parts(const fs::path& sound_set) {
   SoundSetParts parts;
@@ -100,23 +55,6 @@ void save_parts(const fs::path& folder, const SoundSetParts& parts) {
   for (const DieselModel& diesel : parts.diesels) save_background(files.temporary(), diesel);
   merge_index(files.temporary(), parts.index);
   files.commit();
-}
-
-SoundSet sound_set_of(const SoundSetParts& parts, double sample_rate) {
-  SoundSet set;
-  for (const RockEntry& rock : parts.index.rocks) set.rocks.push_back({rock.name, rock.stiffness});
-  for (const LawsEntry& entry : parts.index.laws) {
-    set.laws.push_back(entry.laws);
-    set.laws.back().rock = rock_index(parts.index, entry.rock);
-  }
-  TrimmedBanks banks(parts, sample_rate);
-  for (const BankEntry& entry : parts.index.banks)
-    set.uses.push_back({entry.situation, entry.rods, rock_index(parts.index, entry.rock),
-                        banks.place(entry, set.banks), entry.feed_bar, entry.percussion_bar});
-  set.tools = parts.tools;
-  set.strings = parts.strings;
-  set.diesels = parts.diesels;
-  return set;
 }
 
 }  // namespace rigsound::config

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "field_check.hpp"
@@ -14,9 +15,8 @@ void require_clicks(const FieldCheck& check, const ClickBank& bank) {
   check.require(!bank.clicks.empty(), "clicks", "there are no clicks, expected at least one");
   for (const std::vector<float>& click : bank.clicks) {
     check.require(!click.empty(), "clicks", "one is empty, expected samples");
-    for (const float x : click)
-      check.require(std::fabs(x) <= kLoudest, "clicks",
-                    "one has a sample that is not finite, expected unit clicks");
+    check.require(std::all_of(click.begin(), click.end(), [](float x) { return std::fabs(x) <= kLoudest; }),
+                  "clicks", "one has a sample that is not finite, expected unit clicks");
   }
 }
 

@@ -1,6 +1,5 @@
 #include "rigsound/machine/fields.hpp"
 
-#include <charconv>
 #include <cmath>
 
 namespace rigsound {
@@ -23,12 +22,6 @@ std::string Range::problem(double x) const {
   const bool broken = step == 1 && x >= min && x <= max && x != std::floor(x);
   return "is " + number_text(x) + (*unit == '\0' ? "" : " ") + unit + ", expected " +
          (broken ? "a whole number, " : "") + text();
-}
-
-std::string number_text(double x) {
-  char digits[32];
-  const auto end = std::to_chars(digits, digits + sizeof digits, x, std::chars_format::general, 10);
-  return {digits, end.ptr};
 }
 
 }  // namespace rigsound

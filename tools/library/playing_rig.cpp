@@ -1,34 +1,16 @@
 #include "playing_rig.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "rigsound/config/nearest_word.hpp"
-#include "rigsound/config/rig.hpp"
 #include "rigsound/machine/signal.hpp"
 
 namespace rigsound::library {
 namespace {
-
-Engine engine_of(const config::PackedSet& set, const std::filesystem::path& file) {
-  config::Rig rig = config::rig_of(set, file);
-  return config::build_engine(rig, config::sounds_of(rig, set.parts));
-}
-
-bool begins_packed(const std::filesystem::path& file) {
-  char head[16] = {};
-  std::ifstream(file, std::ios::binary).read(head, sizeof head);
-  return config::is_packed({head, sizeof head});
-}
-
-Engine engine_of(const std::filesystem::path& file) {
-  if (begins_packed(file)) return engine_of(config::load_packed(file), file);
-  config::Rig rig = config::load_rig(file);
-  SoundSet sounds = config::load_sounds(rig);
-  return config::build_engine(rig, std::move(sounds));
-}
 
 /// The entry of a table of signals or controls that bears the name.
 template <class Table>
@@ -52,12 +34,6 @@ void require_taken(const Info& info, double value) {
 }  // namespace
 
 PlayingRig::PlayingRig(Engine engine) : engine_(std::move(engine)), handoff_(MachineState{}) {}
-
-PlayingRig::PlayingRig(const std::filesystem::path& file) : PlayingRig(engine_of(file)) {}
-
-PlayingRig::PlayingRig(std::string_view packed_set)
-    : PlayingRig(engine_of(config::read_packed(packed_set, "the packed sound set"), "the packed sound set")) {
-}
 
 void PlayingRig::require_boom(int boom) const {
   const auto booms = static_cast<int>(options().booms.size());

@@ -1,9 +1,7 @@
 // A rig that any program can play: its engine, and its state set by name.
 #pragma once
 
-#include <array>
 #include <atomic>
-#include <filesystem>
 #include <mutex>
 #include <string_view>
 
@@ -14,10 +12,7 @@ namespace rigsound::library {
 
 class PlayingRig {
  public:
-  /// Reads a rig and its sound set, or a set that was packed with a rig. Errors: InputError. Thread: OFF.
-  explicit PlayingRig(const std::filesystem::path& file);
-  /// The same of a packed set in memory, which may be gone afterwards.
-  explicit PlayingRig(std::string_view packed_set);
+  explicit PlayingRig(Engine engine);  ///< Thread: OFF
 
   const EngineOptions& options() const noexcept { return engine_.options(); }
 
@@ -29,7 +24,6 @@ class PlayingRig {
   EngineMeters meters() const noexcept;  ///< of the last block; Thread: any
 
  private:
-  explicit PlayingRig(Engine engine);
   void require_boom(int boom) const;
 
   Engine engine_;

@@ -1,43 +1,13 @@
-// The C interface: names and codes over PlayingRig; what is thrown stops here.
+// The C interface of a handle that is open: names and codes over PlayingRig.
 #include "rigsound.h"
 
-#include <exception>
-#include <new>
-#include <stdexcept>
-#include <string>
-
-#include "playing_rig.hpp"
+#include "handle.hpp"
 #include "rigsound/machine/signal.hpp"
 
-struct rigsound_handle {
-  explicit rigsound_handle(const std::filesystem::path& file) : rig(file) {}
-  explicit rigsound_handle(std::string_view packed_set) : rig(packed_set) {}
-  rigsound::library::PlayingRig rig;
-  std::string error;
-};
+using rigsound::library::guarded;
+using rigsound::library::require;
 
 namespace {
-
-thread_local std::string open_error;
-
-/// Runs `step`; its exception becomes the handle's line.
-template <class Step>
-int guarded(std::string& error, Step step) noexcept {
-  try {
-    step();
-    return RIGSOUND_OK;
-  } catch (const std::bad_alloc&) {
-    error.clear();
-    error = "no memory";
-  } catch (const std::exception& failure) {
-    error = failure.what();
-  }
-  return RIGSOUND_REFUSED;
-}
-
-void require(bool given, const std::string& name) {
-  if (!given) throw std::invalid_argument(name + ": is NULL");
-}
 
 const rigsound::EngineOptions& options(const rigsound_handle* rig) { return rig->rig.options(); }
 
@@ -46,24 +16,6 @@ const rigsound::EngineOptions& options(const rigsound_handle* rig) { return rig-
 extern "C" {
 
 const char* rigsound_version() { return RIGSOUND_VERSION; }
-
-rigsound_handle* rigsound_open(const char* file) {
-  rigsound_handle* opened = nullptr;
-  guarded(open_error, [&] {
-    require(file != nullptr, "file");
-    opened = new rigsound_handle(std::filesystem::path(file));
-  });
-  return opened;
-}
-
-rigsound_handle* rigsound_open_memory(const void* bytes, size_t size) {
-  rigsound_handle* opened = nullptr;
-  guarded(open_error, [&] {
-    require(bytes != nullptr, "bytes");
-    opened = new rigsound_handle(std::string_view(static_cast<const char*>(bytes), size));
-  });
-  return opened;
-}
 
 void rigsound_close(rigsound_handle* rig) { delete rig; }
 
@@ -95,7 +47,7 @@ void rigsound_meters(const rigsound_handle* rig, rigsound_levels* levels) {
 }
 
 const char* rigsound_last_error(const rigsound_handle* rig) {
-  return rig == nullptr ? open_error.c_str() : rig->error.c_str();
+  return rig == nullptr ? rigsound::library::open_error().c_str() : rig->error.c_str();
 }
 
 const char* rigsound_signal_name(int index) {

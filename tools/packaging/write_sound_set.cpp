@@ -24,6 +24,10 @@ config::SoundSetIndex write(const SoundSet& sounds, const std::filesystem::path&
     config::save_tool(folder, tool);
     index.tools.push_back({tool.name});
   }
+  StringModel rods;
+  rods.name = "rods";  // what the boom of config/rigs/demo.toml plays
+  config::save_string(folder, rods);
+  index.tools.push_back({rods.name, config::SteelKind::kString});
   for (DieselModel background : sounds.diesels) {
     background.name = "diesel";  // its own has a space, which a folder may not
     config::save_background(folder, background);

@@ -16,7 +16,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#if defined(__GNUC__) && !defined(__wasm__)
+#if defined(__wasm__)
+#define RIGSOUND_API __attribute__((used))
+#elif defined(__GNUC__)
 #define RIGSOUND_API __attribute__((visibility("default")))
 #else
 #define RIGSOUND_API

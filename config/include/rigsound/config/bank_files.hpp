@@ -45,8 +45,4 @@ void save_bank(const std::filesystem::path& sound_set, const ClickBank& bank, co
 /// in range, each click between two cue points and of unit norm. Errors: InputError. Thread: OFF.
 StoredBank load_bank(const std::filesystem::path& bank_folder);
 
-/// The same bank at another rate: clicks resampled, times and decays in the new samples.
-/// `sample_rate` in Hz. Thread: OFF.
-ClickBank resampled(const ClickBank& bank, double sample_rate);
-
 }  // namespace rigsound::config

@@ -9,8 +9,7 @@
 
 #include "rigsound/audio/audio_options.hpp"
 #include "rigsound/can/can_options.hpp"
-#include "rigsound/config/packed_set.hpp"
-#include "rigsound/engine.hpp"
+#include "rigsound/config/sounding_rig.hpp"
 #include "rigsound/log/bus_log.hpp"
 #include "rigsound/machine/signal_board.hpp"
 #include "rigsound/modbus/modbus_options.hpp"
@@ -41,14 +40,8 @@ void fields(Archive& a, ControlOptions& o) {
 }
 
 /// Every option checked, every path absolute or relative to the working directory.
-struct Rig {
-  std::filesystem::path file;
+struct Rig : SoundingRig {
   audio::AudioOptions audio;
-  EngineOptions engine;                 ///< BoomOptions::tool is filled in by load_sounds
-  std::filesystem::path sound_set;      ///< folder or packed file; empty when the rig names none
-  int sound_set_line = 0;               ///< of the rig file, for messages
-  std::vector<std::string> boom_tools;  ///< names, one a boom; empty: none that rings
-  std::vector<int> boom_tool_lines;
   SafetyOptions safety;
   std::vector<can::CanOptions> can;
   std::vector<std::filesystem::path> dbc_files;  ///< that they were read from
@@ -75,17 +68,6 @@ Rig parse_rig(std::string_view text, const std::filesystem::path& file, Buses bu
 /// background gets the built-in diesel: a rig whose engine runs is never silent.
 /// Errors: InputError, also when the rig names no sound set. Thread: OFF.
 SoundSet load_sounds(Rig& rig);
-
-/// The same of a set that is read already.
-SoundSet sounds_of(Rig& rig, const SoundSetParts& parts);
-
-/// The rig that a set was packed with, as its rig file would give it, without buses. `file` is for messages.
-/// Errors: InputError when it was packed without one. Thread: OFF.
-Rig rig_of(const PackedSet& set, const std::filesystem::path& file);
-
-/// The engine of the rig with the sounds of load_sounds. Errors: InputError naming the sound set when the
-/// engine cannot play it. Thread: OFF.
-Engine build_engine(const Rig& rig, SoundSet sounds);
 
 /// What `[control] token_file` holds; empty without one. Errors: InputError when it is no token, or anybody
 /// may read it. Thread: OFF.

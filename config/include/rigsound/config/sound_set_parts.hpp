@@ -31,6 +31,6 @@ void save_parts(const std::filesystem::path& folder, const SoundSetParts& parts)
 void require_every_situation(const SoundSetIndex& index, const std::string& file);
 
 /// As the engine wants it: uses of banks, each bank at `sample_rate` (Hz) with its trim. Thread: OFF.
-SoundSet sound_set_of(const SoundSetParts& parts, double sample_rate);
+SoundSet sound_set_of(SoundSetParts parts, double sample_rate);
 
 }  // namespace rigsound::config

@@ -7,6 +7,7 @@
 
 #include "config/sound_set/example_bank.hpp"
 #include "rigsound/machine/input_error.hpp"
+#include "sound_set/bank_resampling.hpp"
 #include "temporary_folder.hpp"
 
 using namespace rigsound;
@@ -159,7 +160,7 @@ TEST_CASE("a WAV without cue points, with NaN or with silence is refused") {
 
 TEST_CASE("a bank at another rate keeps its times in seconds and its waveform") {
   const ClickBank low = example_bank("x", 44100), high = example_bank("x", 96000);
-  const ClickBank made = config::resampled(low, 96000);
+  const ClickBank made = config::BankResampler(96000).resampled(low);
   CHECK(made.mean_gap_samples == doctest::Approx(high.mean_gap_samples));
   CHECK(made.gap_deviation_samples == doctest::Approx(high.gap_deviation_samples));
   CHECK(made.attack_samples == doctest::Approx(high.attack_samples));

@@ -90,7 +90,13 @@ TEST_CASE("what is packed is read back, to the last bit") {
   CHECK(again.rig->engine.scene.overfeed_bar == 131);
   CHECK(again.rig->boom_tools == std::vector<std::string>{"hex25"});
   const SoundSet sounds = config::sound_set_of(again.parts, 48000);
-  CHECK(sounds.banks.size() == 5);  // another trim is another bank
+  REQUIRE(sounds.banks.size() == 5);  // another trim is another bank
+  for (int s = 0; s < kSituationCount; ++s) {
+    CHECK(sounds.banks[s].gain_db == set.parts.banks[s % 2].bank.gain_db - s);
+    CHECK(sounds.banks[s].sample_rate == 48000);
+    CHECK(sounds.banks[s].clicks == sounds.banks[s % 2].clicks);
+  }
+  CHECK(sounds.banks[1].clicks == set.parts.banks[1].bank.clicks);
   CHECK(sounds.strings[0].name == "rods38");
 }
 
