@@ -54,28 +54,34 @@ class Progress(unittest.TestCase):
         self.log_rig.write_text(f'[sound]\nset = "set"\n[[can]]\ninterface = "can0"\ndbc = "{ROOT}/config/dbc/rig.dbc"\n'
                                 '[can.signals]\nengine_rpm = "EEC1.EngSpeed"\n')
 
-    def verbs(self):
+    def verbs(self, scale):
+        """Work that takes some time; `scale` times as much where the machine is too fast to see a bar grow."""
         new, long_sound = self.folder / 'new', self.folder / 'long.wav'
         if not long_sound.exists():
             subprocess.run([RIGSOUND, 'resynth', self.folder / 'set/banks/normal', long_sound, '--seconds', '300'], check=True)
         yield 'render', ['render', self.rig, '--states', self.states, '--out', new.with_suffix('.wav')]
         yield 'render of a log', ['render', self.log_rig, '--log', ROOT / 'config/logs/shift.log', '--to', 90, '--out', new.with_suffix('.wav')]
-        yield 'resynth', ['resynth', self.folder / 'set/banks/normal', new.with_suffix('.wav'), '--seconds', 300]
-        yield 'simulate', ['simulate', '--ids', '100-123', '--seconds', 1, '--out', self.folder / 'sim']
+        yield 'resynth', ['resynth', self.folder / 'set/banks/normal', new.with_suffix('.wav'), '--seconds', 300 * scale]
+        yield 'simulate', ['simulate', '--ids', '100-123', '--seconds', scale, '--out', self.folder / 'sim']
         yield 'clicks', ['clicks', self.recording, '--jobs', 1]
         yield 'denoise', ['denoise', self.recording, new.with_suffix('.wav'), '--jobs', 1]
         yield 'tool', ['tool', '--from', self.recording, '--length', 0.5, '--diameter', 0.025]
-        yield 'background', ['background', '--formula', '--resynth', new.with_suffix('.wav'), '--seconds', 60]
+        yield 'background', ['background', '--formula', '--resynth', new.with_suffix('.wav'), '--seconds', 60 * scale]
         yield 'contrast', ['contrast', self.rig, '--seconds', 4, '--runs', 2]
-        yield 'bench', ['bench', '--seconds', 0.1]
+        yield 'bench', ['bench', '--seconds', 0.1 * scale]
         yield 'timeline', ['timeline', self.folder / 'a.png', '--wav', long_sound, '--states', self.states]
         yield 'record', ['record', self.rig, '--out', new.with_suffix('.pcap'), '--seconds', 1]
 
     def test_a_bar_that_grows_and_goes_on_a_terminal_and_nothing_elsewhere(self):
-        for name, words in self.verbs():
-            code, out, shown = on_terminal(words)
-            self.assertEqual(code, 0, (name, shown))
-            bars = BAR.findall(shown)
+        for name, words in self.verbs(1):
+            for scale in (1, 5, 25):
+                words = dict(self.verbs(scale))[name]
+                shutil.rmtree(self.folder / 'sim', ignore_errors=True)
+                code, out, shown = on_terminal(words)
+                self.assertEqual(code, 0, (name, shown))
+                bars = BAR.findall(shown)
+                if len(bars) > 1 and len(bars[-1][0].rstrip()) > len(bars[0][0].rstrip()):
+                    break
             self.assertGreater(len(bars), 1, (name, shown))
             lengths = [len(bar[0].rstrip()) for bar in bars]
             self.assertEqual(lengths, sorted(lengths), name)
