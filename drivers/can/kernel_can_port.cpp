@@ -13,6 +13,7 @@
 #include <cstring>
 #include <thread>
 
+#include "bus/kernel_note.hpp"
 #include "can/can_port.hpp"
 #include "can/kernel_format.hpp"
 #include "rigsound/device_error.hpp"
@@ -97,7 +98,9 @@ class KernelCanSocket : public CanSocket {
     if (got < 0) return errno == EAGAIN || errno == EINTR ? 0 : -errno;
     for (int i = 0; i < got; ++i) {
       out[i].frame = from_kernel(raw_[i], messages_[i].msg_len);
-      out[i].realtime_s = read_control(messages_[i].msg_hdr);
+      const KernelNote note = kernel_note(messages_[i].msg_hdr);
+      out[i].realtime_s = note.realtime_s;
+      if (note.dropped) dropped_ += *note.dropped - static_cast<std::uint32_t>(dropped_);  // wraps at 32 bits
     }
     return got;
   }
@@ -106,23 +109,6 @@ class KernelCanSocket : public CanSocket {
 
  private:
   static constexpr std::size_t kMessages = 64;
-
-  double read_control(msghdr& header) {
-    double realtime_s = 0;
-    for (cmsghdr* c = CMSG_FIRSTHDR(&header); c != nullptr; c = CMSG_NXTHDR(&header, c)) {
-      if (c->cmsg_level != SOL_SOCKET) continue;
-      if (c->cmsg_type == SO_TIMESTAMPNS) {
-        timespec t{};
-        std::memcpy(&t, CMSG_DATA(c), sizeof t);
-        realtime_s = static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-      } else if (c->cmsg_type == SO_RXQ_OVFL) {
-        std::uint32_t total = 0;
-        std::memcpy(&total, CMSG_DATA(c), sizeof total);
-        dropped_ += total - static_cast<std::uint32_t>(dropped_);  // the kernel counts in 32 bits
-      }
-    }
-    return realtime_s;
-  }
 
   FileDescriptor fd_;
   std::uint64_t dropped_ = 0;

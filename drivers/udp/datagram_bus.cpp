@@ -3,12 +3,11 @@
 #include <netinet/in.h>
 #include <poll.h>
 
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 #include "bus/arrival_clock.hpp"
+#include "bus/kernel_note.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/socket/tcp_listener.hpp"
 
@@ -73,26 +72,10 @@ void DatagramBus::receive() {
   const ArrivalClock clock;
   for (int i = 0; i < got; ++i) {
     const auto slot = static_cast<std::size_t>(i);
-    const double realtime_s = read_control(messages_[slot].msg_hdr);
-    sift(messages_[slot], slot, realtime_s, clock.monotonic_s(realtime_s));
+    const KernelNote note = kernel_note(messages_[slot].msg_hdr);
+    if (note.dropped) dropped_.store(*note.dropped, std::memory_order_relaxed);
+    sift(messages_[slot], slot, note.realtime_s, clock.monotonic_s(note.realtime_s));
   }
-}
-
-double DatagramBus::read_control(msghdr& header) {
-  double realtime_s = 0;
-  for (cmsghdr* c = CMSG_FIRSTHDR(&header); c != nullptr; c = CMSG_NXTHDR(&header, c)) {
-    if (c->cmsg_level != SOL_SOCKET) continue;
-    if (c->cmsg_type == SO_TIMESTAMPNS) {
-      timespec t{};
-      std::memcpy(&t, CMSG_DATA(c), sizeof t);
-      realtime_s = static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-    } else if (c->cmsg_type == SO_RXQ_OVFL) {
-      std::uint32_t total = 0;
-      std::memcpy(&total, CMSG_DATA(c), sizeof total);
-      dropped_.store(total, std::memory_order_relaxed);
-    }
-  }
-  return realtime_s;
 }
 
 void DatagramBus::sift(const mmsghdr& message, std::size_t slot, double realtime_s, double time_s) {

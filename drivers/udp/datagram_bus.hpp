@@ -57,7 +57,6 @@ class DatagramBus : public BusBase {
 
   void listen();
   void receive();
-  double read_control(msghdr& header);
   void sift(const mmsghdr& message, std::size_t slot, double realtime_s, double time_s);
 
   Port port_;
