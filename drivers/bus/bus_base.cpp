@@ -7,11 +7,6 @@
 #include "rigsound/monotonic_time.hpp"
 
 namespace rigsound {
-namespace {
-
-constexpr std::int64_t kRound_ms = 200;
-
-}  // namespace
 
 BusBase::BusBase(std::string name, std::vector<SignalId> signals, BusListener& listener)
     : name_(std::move(name)),
@@ -57,7 +52,7 @@ void BusBase::warn(const std::string& kind, const std::string& text) {
 bool BusBase::may_open() const {
   const std::int64_t left_ms = backoff_.left_ms(monotonic_ms());
   if (left_ms == 0) return true;
-  std::this_thread::sleep_for(std::chrono::milliseconds(std::min(left_ms, kRound_ms)));
+  std::this_thread::sleep_for(std::chrono::milliseconds(std::min<std::int64_t>(left_ms, kRound_ms)));
   return false;
 }
 

@@ -10,6 +10,8 @@
 
 namespace rigsound {
 
+constexpr int kRound_ms = 200;  ///< the longest that a round of a bus waits
+
 /// The targets of a bus's routes, in their order.
 template <typename Route>
 std::vector<SignalId> targets(const std::vector<Route>& routes) {

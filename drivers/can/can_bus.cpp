@@ -14,7 +14,6 @@
 namespace rigsound::can {
 namespace {
 
-constexpr int kRound_ms = 200;
 constexpr std::size_t kBatch = 256;
 
 CanSocketOptions socket_options(const CanOptions& options, const CanTap* tap) {

@@ -13,8 +13,6 @@
 namespace rigsound::modbus {
 namespace {
 
-constexpr std::int64_t kRound_ms = 200;
-
 bool is_bad_frame(int error) {
   return error == EMBBADCRC || error == EMBBADDATA || error == EMBMDATA || error == EMBBADSLAVE;
 }
@@ -31,7 +29,7 @@ std::vector<RegisterRoute> routes_of(const Line& line) {
 bool wait_until(std::int64_t due_ms) {
   const std::int64_t left_ms = due_ms - monotonic_ms();
   if (left_ms <= 0) return true;
-  std::this_thread::sleep_for(std::chrono::milliseconds(std::min(left_ms, kRound_ms)));
+  std::this_thread::sleep_for(std::chrono::milliseconds(std::min<std::int64_t>(left_ms, kRound_ms)));
   return left_ms <= kRound_ms;
 }
 

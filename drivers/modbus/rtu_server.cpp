@@ -7,11 +7,6 @@
 #include "rigsound/device_error.hpp"
 
 namespace rigsound::modbus {
-namespace {
-
-constexpr std::uint32_t kRound_us = 200'000;
-
-}  // namespace
 
 RtuServer::RtuServer(const ModbusOptions& options, BusListener& listener, ModbusTap* tap)
     : ModbusServer(options, listener, tap) {}
@@ -36,7 +31,7 @@ void RtuServer::step() {
 void RtuServer::open() {
   try {
     context_ = make_context(options());
-    modbus_set_indication_timeout(context_.get(), 0, kRound_us);
+    modbus_set_indication_timeout(context_.get(), 0, kRound_ms * 1000);
     if (modbus_connect(context_.get()) != 0)
       throw DeviceError(std::string("cannot be opened: ") + modbus_strerror(errno));
     opened();

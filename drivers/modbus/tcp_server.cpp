@@ -15,7 +15,6 @@
 namespace rigsound::modbus {
 namespace {
 
-constexpr int kServed_ms = 200;
 constexpr std::size_t kMbap = 7;  // transaction 2, protocol 2, length 2, unit 1
 
 std::size_t length_field(const std::uint8_t* frame) { return frame[4] << 8 | frame[5]; }
@@ -34,7 +33,7 @@ void TcpServer::step() {
   }
   std::vector<pollfd> polls = {{listening_.get(), POLLIN, 0}};
   for (const Connection& c : connections_) polls.push_back({c.fd.get(), POLLIN, 0});
-  if (::poll(polls.data(), polls.size(), kServed_ms) < 0) return;
+  if (::poll(polls.data(), polls.size(), kRound_ms) < 0) return;
   for (std::size_t i = 0; i < connections_.size(); ++i)
     if (polls[i + 1].revents != 0 && !serve(connections_[i])) connections_[i].fd.reset();
   // A connection that wrote and closed within one round was a master all the same.

@@ -49,7 +49,7 @@ class DatagramBus : public BusBase {
   void deliver(const Reading& reading) { readings_.push_back(reading); }  ///< at the end of the round
   static void count(std::atomic<std::uint64_t>& counter) { counter.fetch_add(1, std::memory_order_relaxed); }
 
-  static constexpr double kLongestWait_s = 0.2;
+  static constexpr double kLongestWait_s = kRound_ms * 1e-3;
   std::atomic<std::uint64_t> used_{0}, bad_{0}, late_{0};
 
  private:
