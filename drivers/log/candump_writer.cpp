@@ -7,7 +7,6 @@
 #include "rigsound/device_error.hpp"
 
 namespace rigsound::log {
-namespace {}  // namespace
 
 std::string candump_line(const CanRecord& record) {
   const can::Frame& f = record.frame;

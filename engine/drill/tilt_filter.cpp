@@ -10,13 +10,11 @@ namespace {
 
 constexpr double kGone = 1e-12;  // a state: what is less is dropped before it turns denormal
 
-/// (1 + s g / w) / (1 + s / (g w)): from 1 to g^2, g of it at w.
-double middle_gain(double db_per_octave) noexcept { return dsp::gain_of_db(db_per_octave); }
-
 }  // namespace
 
+// A shelf is (1 + s g / w) / (1 + s / (g w)): from 1 to g^2, g of it at w.
 double tilt_power(double db_per_octave, double frequency_hz) {
-  const double g = middle_gain(db_per_octave);
+  const double g = dsp::gain_of_db(db_per_octave);
   double power = 1;
   for (const double shelf_hz : kShelves_hz) {
     const double w = frequency_hz / shelf_hz;
@@ -32,7 +30,7 @@ TiltFilter::TiltFilter(double sample_rate) : shelves_{} {
 
 void TiltFilter::place(double db_per_octave) noexcept {
   tilt_ = db_per_octave;
-  const double g = middle_gain(db_per_octave);
+  const double g = dsp::gain_of_db(db_per_octave);
   for (Shelf& shelf : shelves_) {
     const double zero = shelf.warp * g, pole = shelf.warp / g, scale = 1 / (1 + pole);
     shelf.b0 = (1 + zero) * scale, shelf.b1 = (1 - zero) * scale, shelf.a1 = (1 - pole) * scale;

@@ -77,10 +77,7 @@ bool delivers(const config::Rig& rig, Signal signal) {
   };
   for (const udp::UdpOptions& input : rig.udp)
     if (named(input.routes)) return true;
-  if (named(rig.osc.routes)) return true;
-  for (const udp::NameRoute& route : rig.osc.routes)
-    if (route.target.signal == signal) return true;
-  return false;
+  return named(rig.osc.routes);
 }
 
 std::vector<std::string> missing_signals(const config::Rig& rig) {
