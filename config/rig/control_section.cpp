@@ -22,17 +22,16 @@ unsigned mode_bits(const TomlTable& table, const std::string& mode) {
 }
 
 void require_address(const TomlTable& table, const char* key, const std::string& text) {
-  const auto where = parse_host_port(text, 0);
-  if (!text.empty() && (!where || where->port == 0))
+  if (!text.empty() && !parse_host_port(text))
     table.fail(key, "\"" + text + "\" is no address with a port, expected HOST:PORT or \"\"");
 }
 
 /// Written as digits, so that no name server and no hosts file decides.
 bool is_loopback(const std::string& address) {
-  const auto where = parse_host_port(address, 0);
+  const auto where = parse_host_port(address);
   const auto network = where ? parse_network(where->host) : std::nullopt;
   const bool one = network && network->prefix == static_cast<int>(network->address.size()) * 8;
-  return one && where->port != 0 && allowed(network->address, {});
+  return one && allowed(network->address, {});
 }
 
 void check_tcp(const TomlTable& table, const ControlOptions& control) {

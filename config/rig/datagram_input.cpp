@@ -6,15 +6,10 @@
 #include "rigsound/socket/host_port.hpp"
 
 namespace rigsound::config {
-namespace {
-
-constexpr int kNoPort = 0;
-
-}  // namespace
 
 void take_address(const TomlTable& table, const std::string& address, std::string& host, int& port) {
-  const auto where = parse_host_port(address, kNoPort);
-  if (!where || where->port == kNoPort)
+  const auto where = parse_host_port(address);
+  if (!where)
     table.fail("address", "\"" + address + "\" is no address with a port, expected HOST:PORT or [V6]:PORT");
   host = where->host;
   port = where->port;

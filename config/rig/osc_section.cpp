@@ -13,8 +13,8 @@ std::vector<std::string> read_targets(TomlTable& table) {
   if (!table.has("targets")) return table.expect("targets"), std::vector<std::string>{};
   std::vector<std::string> targets = table.texts("targets");
   for (const std::string& target : targets) {
-    const auto where = parse_host_port(target, 0);
-    if (!where || where->port == 0 || !parse_network(where->host))
+    const auto where = parse_host_port(target);
+    if (!where || !parse_network(where->host))
       table.fail("targets",
                  "\"" + target + "\" is no address with a port, expected one like \"192.168.1.5:9000\"");
   }

@@ -34,7 +34,7 @@ std::optional<HostPort> parse_host_port(std::string_view text, int default_port)
     if (!port) return std::nullopt;
     result.port = *port;
   }
-  if (result.host.empty()) return std::nullopt;
+  if (result.host.empty() || result.port == 0) return std::nullopt;
   return result;
 }
 

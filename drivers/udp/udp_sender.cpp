@@ -14,8 +14,8 @@ namespace rigsound::udp {
 
 UdpSender::UdpSender(const std::string& address) {
   const auto fail = [&](const char* why) { return DeviceError("udp " + address + ": " + why); };
-  const auto where = parse_host_port(address, 0);
-  if (!where || where->port == 0) throw fail("is no address, expected HOST:PORT or [V6]:PORT");
+  const auto where = parse_host_port(address);
+  if (!where) throw fail("is no address, expected HOST:PORT or [V6]:PORT");
   addrinfo hints{};
   hints.ai_flags = AI_NUMERICSERV;
   hints.ai_socktype = SOCK_DGRAM;

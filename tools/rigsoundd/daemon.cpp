@@ -82,11 +82,11 @@ void Daemon::open_sockets() {
     servers_.emplace_back(listen_unix(control.socket, access_of(loaded_.rig)),
                           LineServer::Protocol{"\n", talk("")});
   if (!control.tcp.empty())
-    servers_.emplace_back(listen_tcp(*parse_host_port(control.tcp, 0)),
+    servers_.emplace_back(listen_tcp(*parse_host_port(control.tcp)),
                           LineServer::Protocol{"\n", talk(config::control_token(loaded_.rig))});
   if (!control.metrics.empty())
     servers_.emplace_back(
-        listen_tcp(*parse_host_port(control.metrics, 0)),
+        listen_tcp(*parse_host_port(control.metrics)),
         LineServer::Protocol{"\r\n\r\n", [&self] { return std::make_unique<MetricsPage>(self); }});
 }
 

@@ -30,9 +30,8 @@ class FileSink : public Sink {
   /// Finishes the file and puts it in place. Errors: DeviceError.
   void commit();
 
-  std::uint64_t clipped() const {
-    return writer_.clipped();
-  }  ///< samples that the file does not hold as they were
+  /// Samples that the file does not hold as they were.
+  std::uint64_t clipped() const { return writer_.clipped(); }
 
  private:
   Format format_;

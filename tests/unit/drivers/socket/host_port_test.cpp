@@ -20,4 +20,6 @@ TEST_CASE("Host and port, there and back") {
   is("[::1]", "::1", 502);
   for (const char* text : {"", ":502", "a:", "a:0", "a:65536", "a:x", "[::1", "[::1]x", "[]:1"})
     CHECK_FALSE(parse_host_port(text, 502));
+  for (const char* text : {"plc.local", "[::1]", ""}) CHECK_FALSE(parse_host_port(text));
+  CHECK(parse_host_port("plc.local:9000")->port == 9000);
 }
