@@ -1,8 +1,6 @@
 #include "rigsound/analysis/merge_sets.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "analyzer/set_laws.hpp"
@@ -10,6 +8,7 @@
 #include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/file/atomic_folder.hpp"
+#include "rigsound/file/mapped_file.hpp"
 #include "rigsound/file/read_files.hpp"
 #include "rigsound/machine/input_error.hpp"
 
@@ -18,9 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+bool same_bytes(const fs::path& a, const fs::path& b) {
+  return MappedFile(a).bytes() == MappedFile(b).bytes();
 }
 
 /// Relative names of the files in a folder, or "" for a file itself.
@@ -35,7 +33,7 @@ std::set<fs::path> files_in(const fs::path& at) {
 bool same_content(const fs::path& a, const fs::path& b) {
   const std::set<fs::path> names = files_in(a);
   return names == files_in(b) && std::all_of(names.begin(), names.end(), [&](const fs::path& name) {
-           return name.empty() ? bytes_of(a) == bytes_of(b) : bytes_of(a / name) == bytes_of(b / name);
+           return name.empty() ? same_bytes(a, b) : same_bytes(a / name, b / name);
          });
 }
 

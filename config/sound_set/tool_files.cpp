@@ -1,22 +1,16 @@
 #include "rigsound/config/tool_files.hpp"
 
-#include <fstream>
-
 #include "rigsound/device_error.hpp"
 #include "rigsound/file/atomic_file.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "sound_set/names.hpp"
 #include "sound_set/tool_json.hpp"
+#include "text/read_text.hpp"
 
 namespace rigsound::config {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string content_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// NAME.json.old, or the first of .old2, .old3, ... that is free: hand-made edits are never lost.
 fs::path put_aside(const fs::path& file) {
@@ -37,7 +31,7 @@ fs::path save(const fs::path& sound_set, const std::string& name, const std::str
   fs::create_directories(folder, error);
   if (error) throw DeviceError(folder.string() + ": cannot be made: " + error.message());
   const fs::path file = folder / (name + ".json");
-  const bool differs = fs::exists(file) && content_of(file) != text;
+  const bool differs = fs::exists(file) && read_text(file) != text;
   const fs::path kept = differs ? put_aside(file) : fs::path();
   write_file(file, text);
   return kept;

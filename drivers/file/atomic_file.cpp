@@ -34,12 +34,13 @@ void copy_into(const fs::path& target, const fs::path& from) {
                                                       : ::open(target.c_str(), O_WRONLY | O_CLOEXEC));
   if (!in || !out) fail(target, "cannot be written", errno);
   std::array<char, 1 << 16> bytes;
-  for (ssize_t got; (got = ::read(in.get(), bytes.data(), bytes.size())) > 0;)
-    for (ssize_t done = 0; done < got;) {
-      const ssize_t wrote = ::write(out.get(), bytes.data() + done, static_cast<std::size_t>(got - done));
-      if (wrote < 0 && errno != EINTR) fail(target, "cannot be written", errno);
-      if (wrote > 0) done += wrote;
-    }
+  for (;;) {
+    const ssize_t got = ::read(in.get(), bytes.data(), bytes.size());
+    if (got < 0) fail(from, "cannot be read again", errno);
+    if (got == 0) return;
+    file::write_all(out.get(), bytes.data(), static_cast<std::size_t>(got),
+                    target.string() + ": cannot be written");
+  }
 }
 
 }  // namespace

@@ -14,6 +14,16 @@ void fail(const std::filesystem::path& path, const char* what, int error) {
   throw DeviceError(path.string() + ": " + what + ": " + std::strerror(error));
 }
 
+void write_all(int fd, const char* bytes, std::size_t size, const std::string& what) {
+  while (size > 0) {
+    const ssize_t wrote = ::write(fd, bytes, size);
+    if (wrote < 0 && errno == EINTR) continue;
+    if (wrote < 0) throw DeviceError(what + ": " + std::strerror(errno));
+    bytes += wrote;
+    size -= static_cast<std::size_t>(wrote);
+  }
+}
+
 void flush_to_disk(const std::filesystem::path& path) {
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (fd < 0) fail(path, "cannot be opened again", errno);

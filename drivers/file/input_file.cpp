@@ -7,6 +7,8 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 
 #include "file/nameless_file.hpp"
 #include "rigsound/machine/input_error.hpp"
@@ -22,7 +24,7 @@ FileDescriptor copy_of_pipe(const FileDescriptor& from, const std::string& name)
     if (got == 0) return out;
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) throw InputError(name, std::string("cannot be read: ") + std::strerror(errno));
-    file::write_all(out.get(), buffer.data(), static_cast<std::size_t>(got));
+    file::add_to(out, buffer.data(), static_cast<std::size_t>(got));
   }
 }
 
@@ -42,6 +44,13 @@ InputFile::InputFile(const std::filesystem::path& file, std::string_view kind)
   if (!standard_input && known && S_ISREG(status.st_mode)) return;
   copy_ = copy_of_pipe(fd, name_);
   path_ = "/proc/self/fd/" + std::to_string(copy_.get());
+}
+
+std::string InputFile::content() const {
+  std::ifstream in(path_, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (!in.is_open() || in.bad()) throw InputError(name_, "cannot be read to its end");
+  return bytes;
 }
 
 }  // namespace rigsound

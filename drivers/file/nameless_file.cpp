@@ -5,12 +5,10 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <string>
 
 #include "file/flush.hpp"
-#include "rigsound/device_error.hpp"
 
 namespace rigsound::file {
 
@@ -22,14 +20,8 @@ FileDescriptor nameless_file() {
   return fd;
 }
 
-void write_all(int fd, const char* bytes, std::size_t size) {
-  while (size > 0) {
-    const ssize_t wrote = ::write(fd, bytes, size);
-    if (wrote < 0 && errno == EINTR) continue;
-    if (wrote < 0) throw DeviceError(std::string("no room for a copy of the input: ") + std::strerror(errno));
-    bytes += wrote;
-    size -= static_cast<std::size_t>(wrote);
-  }
+void add_to(const FileDescriptor& nameless, const char* bytes, std::size_t size) {
+  write_all(nameless.get(), bytes, size, "no room for a copy of the input");
 }
 
 }  // namespace rigsound::file

@@ -10,7 +10,7 @@ namespace rigsound::file {
 /// In the folder for temporary files. Errors: DeviceError. Thread: OFF.
 FileDescriptor nameless_file();
 
-/// Errors: DeviceError when there is no room. Thread: OFF.
-void write_all(int fd, const char* bytes, std::size_t size);
+/// More of the input that is kept there. Errors: DeviceError when there is no room. Thread: OFF.
+void add_to(const FileDescriptor& nameless, const char* bytes, std::size_t size);
 
 }  // namespace rigsound::file

@@ -32,7 +32,7 @@ FileDescriptor unpacked(const std::filesystem::path& packed, const std::string& 
   std::array<char, 1 << 16> buffer;
   for (;;) {
     const int got = ::gzread(in.get(), buffer.data(), buffer.size());
-    if (got > 0) file::write_all(out.get(), buffer.data(), static_cast<std::size_t>(got));
+    if (got > 0) file::add_to(out, buffer.data(), static_cast<std::size_t>(got));
     if (got == static_cast<int>(buffer.size())) continue;
     int error = Z_OK;
     const char* const why = ::gzerror(in.get(), &error);

@@ -1,8 +1,6 @@
 #include "rigsound/session/session_states.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <sstream>
 
@@ -15,12 +13,6 @@
 
 namespace rigsound::session {
 namespace {
-
-std::string read_all(const std::filesystem::path& file) {
-  const InputFile input(file, "session");
-  std::ifstream in(input.path(), std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// The lines of the header by their first word; `at` moves behind the empty line that ends it.
 std::map<std::string, std::string> header_lines(const std::string& bytes, std::size_t& at) {
@@ -74,7 +66,7 @@ bool get_masks(std::string_view& in, WordMasks& masks) {
 }  // namespace
 
 SessionStates::SessionStates(const std::filesystem::path& file) {
-  const std::string bytes = read_all(file);
+  const std::string bytes = InputFile(file, "session").content();
   std::size_t at = 0;
   header_ = parse_header(file.string(), bytes, at);
   read_chunks(bytes, at);

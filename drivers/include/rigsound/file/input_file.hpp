@@ -20,6 +20,8 @@ class InputFile {
   const std::string& name() const { return name_; }            ///< for messages
   const std::filesystem::path& path() const { return path_; }  ///< to be opened while this lives
 
+  std::string content() const;  ///< all of it; errors: InputError when it cannot be read to its end
+
  private:
   std::string name_;
   std::filesystem::path path_;
