@@ -24,6 +24,9 @@ double ClickSpectrum::centre_hz(int band) { return kLowest_hz * dsp::exp(band * 
 ClickSpectrum::ClickSpectrum(const ClickBank& bank) {
   const dsp::Fft<double> fft(kSize);
   const double half_band = dsp::exp(dsp::kLn2 / 6);
+  std::array<double, kBands> upper_hz{};
+  for (int band = 0; band < kBands; ++band)
+    upper_hz[static_cast<std::size_t>(band)] = centre_hz(band) * half_band;
   std::vector<double> re(kSize), im(kSize);
   for (std::size_t i = 0; i < std::min(kClicks, bank.clicks.size()); ++i) {
     const std::vector<float>& click = bank.clicks[i];
@@ -31,11 +34,11 @@ ClickSpectrum::ClickSpectrum(const ClickBank& bank) {
     std::fill(std::copy_n(click.begin(), length, re.begin()), re.end(), 0.0);
     std::fill(im.begin(), im.end(), 0.0);
     fft.forward(re.data(), im.data());
-    int band = 0;
+    std::size_t band = 0;
     for (int k = 1; k < kSize / 2; ++k) {
       const double f = k * bank.sample_rate / kSize;
-      while (band < kBands - 1 && f > centre_hz(band) * half_band) ++band;
-      power_[static_cast<std::size_t>(band)] += re[k] * re[k] + im[k] * im[k];
+      while (band < kBands - 1 && f > upper_hz[band]) ++band;
+      power_[band] += re[k] * re[k] + im[k] * im[k];
     }
   }
 }

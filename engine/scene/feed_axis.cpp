@@ -5,6 +5,7 @@
 
 #include "rigsound/dsp/elementary.hpp"
 #include "scene/bank_choice.hpp"
+#include "scene/click_spectra.hpp"
 
 namespace rigsound::scene {
 namespace {
@@ -44,7 +45,7 @@ bool drills(Situation s) noexcept {
 
 double slope(double from, double to, double bar) noexcept { return bar > 0 ? (to - from) / bar : 0.0; }
 
-/// Slopes from one bank to another that was recorded `bar` higher.
+/// Slopes from one bank to another that was recorded `bar` higher, all but the brightness.
 FeedLaws laws_between(const ClickBank& a, const ClickBank& b, double bar) noexcept {
   FeedLaws laws;
   laws.ln_gap = slope(dsp::log(a.mean_gap_samples), dsp::log(b.mean_gap_samples), bar);
@@ -55,7 +56,6 @@ FeedLaws laws_between(const ClickBank& a, const ClickBank& b, double bar) noexce
       slope(a.gap_deviation_samples / a.mean_gap_samples, b.gap_deviation_samples / b.mean_gap_samples, bar);
   laws.amplitude_variation =
       slope(a.amplitude_deviation / a.mean_amplitude, b.amplitude_deviation / b.mean_amplitude, bar);
-  laws.tilt_db_per_octave = slope(spectral_tilt(a), spectral_tilt(b), bar);
   return laws;
 }
 
@@ -77,6 +77,7 @@ double FeedPoints::deviation(double feed_bar) const noexcept {
 
 FeedAxis::FeedAxis(const SoundSet& sounds, const SceneOptions& options, int string)
     : sounds_(&sounds), options_(options), points_(feed_points(options)), level_(sounds, string) {
+  ClickSpectra spectra(sounds);
   for (int rock = -1; rock < static_cast<int>(sounds.rocks.size()); ++rock) {
     std::vector<int> counts;
     for (const BankUse& use : sounds.uses)
@@ -86,13 +87,13 @@ FeedAxis::FeedAxis(const SoundSet& sounds, const SceneOptions& options, int stri
     std::sort(counts.begin(), counts.end());
     counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
     std::vector<Series>& series = rocks_.emplace_back();
-    for (const int rods : counts) series.push_back(series_of(rods, rock));
+    for (const int rods : counts) series.push_back(series_of(rods, rock, spectra));
   }
 }
 
 /// Of each situation the banks nearest in rods and rock, so that a rod count recorded in one situation only
 /// is whole.
-FeedAxis::Series FeedAxis::series_of(int rods, int rock) const {
+FeedAxis::Series FeedAxis::series_of(int rods, int rock, ClickSpectra& spectra) const {
   Series series{rods, {}, {}, {}};
   const auto place_of = [&](const BankUse& use) {
     if (use.feed_bar > 0) return use.feed_bar;
@@ -113,19 +114,31 @@ FeedAxis::Series FeedAxis::series_of(int rods, int rock) const {
   }
   std::stable_sort(series.points.begin(), series.points.end(),
                    [](const Point& a, const Point& b) { return a.feed_bar < b.feed_bar; });
-  const std::size_t n = series.points.size();
-  if (n < 2) return series;
-  const auto between = [&](std::size_t i, std::size_t j) {
-    return laws_between(bank_of(series.points[i]), bank_of(series.points[j]),
-                        series.points[j].feed_bar - series.points[i].feed_bar);
-  };
-  series.below.laws = between(0, 1), series.above.laws = between(n - 2, n - 1);
-  for (const FeedLaws& laws : sounds_->laws)
-    if ((laws.rods == 0 || laws.rods == rods) && (laws.rock < 0 || laws.rock == rock))
-      series.below.laws = series.above.laws = laws;
-  series.below.norm = TiltedNorm(bank_of(series.points.front()));
-  series.above.norm = TiltedNorm(bank_of(series.points.back()));
+  if (series.points.size() > 1) find_ends(rock, series, spectra);
   return series;
+}
+
+/// Beyond its ends a series goes on by the last laws of the set that hold for it, else by those of the two
+/// banks nearest to the end.
+void FeedAxis::find_ends(int rock, Series& series, ClickSpectra& spectra) const {
+  const std::vector<Point>& points = series.points;
+  const auto spectrum = [&](const Point& point) -> const drill::ClickSpectrum& {
+    return spectra.of(*point.use);
+  };
+  const auto between = [&](const Point& a, const Point& b) {
+    const double bar = b.feed_bar - a.feed_bar;
+    FeedLaws laws = laws_between(bank_of(a), bank_of(b), bar);
+    laws.tilt_db_per_octave = slope(spectrum(a).tilt_db_per_octave(), spectrum(b).tilt_db_per_octave(), bar);
+    return laws;
+  };
+  const auto given = std::find_if(sounds_->laws.rbegin(), sounds_->laws.rend(), [&](const FeedLaws& laws) {
+    return (laws.rods == 0 || laws.rods == series.rods) && (laws.rock < 0 || laws.rock == rock);
+  });
+  const bool found = given != sounds_->laws.rend();
+  series.below.laws = found ? *given : between(points[0], points[1]);
+  series.above.laws = found ? *given : between(points[points.size() - 2], points.back());
+  series.below.norm = TiltedNorm(spectrum(points.front()));
+  series.above.norm = TiltedNorm(spectrum(points.back()));
 }
 
 const std::vector<FeedAxis::Series>& FeedAxis::rock_series(int rock) const noexcept {

@@ -14,6 +14,8 @@
 
 namespace rigsound::scene {
 
+class ClickSpectra;
+
 /// What is heard at one feed pressure.
 struct FeedPlace {
   drill::BankChoices banks;                               ///< and how likely an impact draws each
@@ -50,7 +52,8 @@ class FeedAxis {
     std::vector<Point> points;
     End below, above;
   };
-  Series series_of(int rods, int rock) const;
+  Series series_of(int rods, int rock, ClickSpectra& spectra) const;
+  void find_ends(int rock, Series& series, ClickSpectra& spectra) const;
   void add_limits(const Point& end, const FeedLaws& laws, double last_bar, FeedReach& reach) const;
   const ClickBank& bank_of(const Point& point) const noexcept { return sounds_->banks[point.use->bank]; }
   void draw(const Point& point, double share, int rock, FeedPlace& place) const noexcept;

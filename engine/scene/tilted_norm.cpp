@@ -2,14 +2,11 @@
 
 #include <algorithm>
 
-#include "drill/click_spectrum.hpp"
-
 namespace rigsound::scene {
 
-TiltedNorm::TiltedNorm(const ClickBank& bank) {
-  const drill::ClickSpectrum spectrum(bank);
+TiltedNorm::TiltedNorm(const drill::ClickSpectrum& clicks) {
   for (int i = 0; i <= kSteps; ++i)
-    ln_[static_cast<std::size_t>(i)] = spectrum.ln_norm(kLargestTilt * (2.0 * i / kSteps - 1));
+    ln_[static_cast<std::size_t>(i)] = clicks.ln_norm(kLargestTilt * (2.0 * i / kSteps - 1));
 }
 
 double TiltedNorm::ln(double tilt) const noexcept {

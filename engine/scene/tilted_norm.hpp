@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "rigsound/click_bank.hpp"
+#include "drill/click_spectrum.hpp"
 
 namespace rigsound::scene {
 
@@ -11,8 +11,8 @@ constexpr double kLargestTilt = 9;  ///< dB an octave, either way
 
 class TiltedNorm {
  public:
-  TiltedNorm() = default;                      ///< keeps it all
-  explicit TiltedNorm(const ClickBank& bank);  ///< Thread: OFF
+  TiltedNorm() = default;                                   ///< keeps it all
+  explicit TiltedNorm(const drill::ClickSpectrum& clicks);  ///< Thread: OFF
 
   /// Natural logarithm of what is left of a click's L2 norm, `tilt` within +-kLargestTilt. Thread: RT.
   double ln(double tilt_db_per_octave) const noexcept;
