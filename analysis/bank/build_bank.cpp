@@ -11,6 +11,7 @@
 #include "rigsound/analysis/bank_builder.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/analysis/resynth.hpp"
+#include "rigsound/dsp/energy.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
@@ -26,8 +27,7 @@ void finish(std::vector<float>& click) {
   const std::size_t fade = std::min(kFade, click.size() / 4);
   for (std::size_t n = 0; n < fade; ++n)
     click[click.size() - 1 - n] *= static_cast<float>(n) / static_cast<float>(fade);
-  double energy = 0;
-  for (const float v : click) energy += static_cast<double>(v) * v;
+  const double energy = dsp::energy(click);
   for (float& v : click) v = static_cast<float>(v / std::sqrt(energy));
 }
 

@@ -6,6 +6,7 @@
 
 #include "bank/click_masks.hpp"
 #include "clicks/gaps.hpp"
+#include "rigsound/dsp/energy.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -57,8 +58,7 @@ std::vector<ClickCandidate> click_candidates(const Segments& segments) {
     for (std::size_t i = first; i < segments[s].last && i + 1 < P.size(); ++i) {
       if (P[i] + kWholeEnough * masks.click_length() >= static_cast<double>(x.size())) continue;
       const std::vector<float> click = masks.extract(x, i);
-      double energy = 0;
-      for (const float v : click) energy += static_cast<double>(v) * v;
+      const double energy = dsp::energy(click);
       if (energy <= 0) continue;
       const double louder = std::max(beta[i - 1], beta[i + 1]);
       candidates.push_back({s, i, std::sqrt(energy), (P[i + 1] - P[i]) / period,

@@ -7,6 +7,7 @@
 
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/analysis/resynth.hpp"
+#include "rigsound/dsp/energy.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -75,8 +76,7 @@ std::vector<float> filtered(const std::vector<float>& click, const Eigen::ArrayX
 void renormalise(ClickBank& bank) {
   double power = 0;
   for (std::vector<float>& click : bank.clicks) {
-    double energy = 0;
-    for (const float v : click) energy += static_cast<double>(v) * v;
+    const double energy = dsp::energy(click);
     for (float& v : click) v = static_cast<float>(v / std::sqrt(energy));
     power += energy / static_cast<double>(bank.clicks.size());
   }

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "clicks/envelope.hpp"
+#include "rigsound/dsp/energy.hpp"
 #include "spectrum/stft.hpp"
 
 namespace rigsound::analysis {
@@ -38,11 +39,10 @@ std::vector<double> scaled(const Eigen::ArrayXd& power, double factor) {
 
 /// Amplitudes in the units of the recording: the train's energy becomes that of the drilling.
 void calibrate(const std::vector<float>& drilling, ClickTrain& train) {
-  double energy = 0, modelled = 0;
-  for (const float x : drilling) energy += static_cast<double>(x) * x;
+  double modelled = 0;
   for (const double beta : train.beta) modelled += beta * beta;
   if (modelled <= 0) return;
-  const double gain = std::sqrt(energy / (modelled * envelope_energy(train.envelope)));
+  const double gain = std::sqrt(dsp::energy(drilling) / (modelled * envelope_energy(train.envelope)));
   for (double& beta : train.beta) beta *= gain;
 }
 

@@ -2,13 +2,13 @@
 
 #include <cmath>
 
+#include "rigsound/dsp/energy.hpp"
+
 namespace rigsound::config {
 namespace {
 
 void set_unit_norm(std::vector<float>& click) {
-  double energy = 0;
-  for (const float x : click) energy += static_cast<double>(x) * x;
-  const double norm = std::sqrt(energy);
+  const double norm = std::sqrt(dsp::energy(click));
   if (norm > 0)
     for (float& x : click) x = static_cast<float>(x / norm);
 }

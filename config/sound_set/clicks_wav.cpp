@@ -8,6 +8,7 @@
 
 #include "rigsound/config/bank_files.hpp"
 #include "rigsound/device_error.hpp"
+#include "rigsound/dsp/energy.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "sound_set/wav_sound.hpp"
 
@@ -30,8 +31,7 @@ std::unique_ptr<Cues> cues_of(const Clicks& clicks) {
 }
 
 std::vector<float> unit_click(std::vector<float> click, const std::string& file, std::size_t index) {
-  double energy = 0;
-  for (const float x : click) energy += static_cast<double>(x) * x;
+  const double energy = dsp::energy(click);
   const std::string which = "click " + std::to_string(index + 1);
   if (!std::isfinite(energy)) throw InputError(file, which + " has samples that are not finite numbers");
   if (energy < 1e-20) throw InputError(file, which + " is silent, expected a sound at every cue point");

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "rigsound/dsp/energy.hpp"
 #include "sound_set/names.hpp"
 #include "sound_set/pack/pack_reader.hpp"
 #include "sound_set/pack/pack_writer.hpp"
@@ -80,9 +81,7 @@ std::vector<float> read_click(PackReader& in, std::string_view samples) {
     in.fail("is damaged: a click lies behind its end");
   std::vector<float> click(count);
   if (count > 0) std::memcpy(click.data(), samples.data() + at, count * sizeof(float));
-  double energy = 0;
-  for (const float x : click) energy += static_cast<double>(x) * x;
-  if (!(std::fabs(std::sqrt(energy) - 1) <= kUnitNormTolerance))
+  if (!(std::fabs(std::sqrt(dsp::energy(click)) - 1) <= kUnitNormTolerance))
     in.fail("holds a click that is not of unit norm");
   return click;
 }
