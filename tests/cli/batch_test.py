@@ -1,24 +1,19 @@
 #!/usr/bin/env python3
 """batch_test.py RIGSOUND: `analyze` of many recordings, in shards, as a cluster calls it."""
 import os
-import pathlib
 import re
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 
+from folder_case import FolderCase
 from sound_set import write_sound_set
 
 RIGSOUND = sys.argv[1]
 
 
-class Case(unittest.TestCase):
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix='rigsound_batch.'))
-        self.addCleanup(shutil.rmtree, self.folder)
-
+class Case(FolderCase):
     def run_verb(self, *words, **environment):
         slurm_free = {key: value for key, value in os.environ.items() if not key.startswith('SLURM_')}
         return subprocess.run([RIGSOUND, *map(str, words)], capture_output=True, text=True, timeout=300,

@@ -12,9 +12,9 @@ import shutil
 import struct
 import subprocess
 import sys
-import tempfile
 import unittest
 
+from folder_case import FolderCase
 from sound_set import write_bank, write_sound_set
 
 RIGSOUND, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
@@ -39,11 +39,7 @@ def data_chunk(path):
     raise AssertionError('no data chunk')
 
 
-class Case(unittest.TestCase):
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix='rigsound_cli.'))
-        self.addCleanup(shutil.rmtree, self.folder)
-
+class Case(FolderCase):
     def write(self, name, text):
         path = self.folder / name
         path.write_text(text)

@@ -5,20 +5,16 @@ import fcntl
 import io
 import json
 import os
-import pathlib
 import pty
 import re
-import shutil
 import signal
 import struct
 import subprocess
 import sys
-import tempfile
 import termios
-import time
 import unittest
 
-from sound_set import write_sound_set
+from daemon_case import PATIENCE_S, DaemonCase, wait_for
 
 RIGSOUND, RIGSOUNDD = sys.argv[1], sys.argv[2]
 RIG = '''[audio]
@@ -27,7 +23,7 @@ block = 256
 [sound]
 set = "set"
 [control]
-socket = "{folder}/c"
+socket = "{socket}"
 [[boom]]
 [[boom]]
 [[boom]]
@@ -38,18 +34,6 @@ dbc = "absent.dbc"
 [can.signals]
 engine_rpm = "A.B"
 '''
-PATIENCE_S = 60
-
-
-def wait_for(what, condition):
-    for _ in range(PATIENCE_S * 20):
-        found = condition()
-        if found:
-            return found
-        time.sleep(0.05)
-    raise AssertionError(f'no {what} within {PATIENCE_S} s')
-
-
 def screen_of(bytes_seen, rows, columns):
     """What a terminal shows after these bytes: home, clear line, clear below and text are all that may come."""
     lines, row, column = [''] * rows, 0, 0
@@ -73,23 +57,11 @@ def screen_of(bytes_seen, rows, columns):
     return lines
 
 
-class Manual(unittest.TestCase):
+class Manual(DaemonCase):
     def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix='rigsound_manual.'))
-        self.addCleanup(shutil.rmtree, self.folder)
-        write_sound_set(self.folder / 'set')
-        self.rig = self.folder / 'rig.toml'
-        self.rig.write_text(RIG.format(folder=self.folder))
+        super().setUp()
+        self.rig.write_text(RIG.format(socket=self.socket))
         self.sessions = self.folder / 'sessions'
-
-    def start(self, *words):
-        daemon = subprocess.Popen([RIGSOUNDD, self.rig, '--manual', *words], stderr=subprocess.DEVNULL)
-        self.addCleanup(lambda: daemon.poll() is None and daemon.kill())
-        wait_for('daemon', lambda: self.ctl('status').returncode == 0)
-        return daemon
-
-    def ctl(self, *words):
-        return subprocess.run([RIGSOUND, 'ctl', '--socket', self.folder / 'c', *words], capture_output=True, text=True)
 
     def status(self):
         return json.loads(self.ctl('status', '--json').stdout)
@@ -104,7 +76,7 @@ class Manual(unittest.TestCase):
         return result
 
     def test_by_hand_from_silence_to_the_debrief(self):
-        daemon = self.start('--session', self.sessions)
+        daemon = self.start_daemon('--manual', '--session', self.sessions)
         self.assertIn('MANUAL, NO BUS', self.ctl('status').stdout)
         self.assertEqual(self.ctl('set', 'engine_rpm', '1500').stdout,
                          'engine_rpm 1500, by hand until `rigsound ctl release`\n')
@@ -156,7 +128,7 @@ class Manual(unittest.TestCase):
         self.assertEqual((self.rig.read_bytes(), sorted(path.name for path in self.folder.iterdir())), (before, ['rig.toml', 'set']))
 
     def test_what_cannot_be_set_is_refused_with_what_can(self):
-        daemon = self.start()
+        daemon = self.start_daemon('--manual')
         for words, part in ((('feed_pressure_bar', '400'), 'feed_pressure_bar: is 400 bar, expected 0...300 bar'),
                             (('boom2.rattling', 'opn'), 'rattling: is opn, did you mean open?'),
                             (('feed_presure_bar', '4'), 'did you mean feed_pressure_bar?'),
@@ -170,7 +142,7 @@ class Manual(unittest.TestCase):
         """A watch in a terminal of that size; `seen` is asked for each screen. Returns the first it likes."""
         ours, theirs = pty.openpty()
         fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack('HHHH', rows, columns, 0, 0))
-        watch = subprocess.Popen([RIGSOUND, 'ctl', '--socket', self.folder / 'c', 'watch', '--every', '0.05'], stdout=theirs)
+        watch = subprocess.Popen([RIGSOUND, 'ctl', '--socket', self.socket, 'watch', '--every', '0.05'], stdout=theirs)
         os.close(theirs)
         try:
             shown = b''
@@ -188,7 +160,7 @@ class Manual(unittest.TestCase):
             os.close(ours)
 
     def test_watch_fits_a_small_terminal_with_four_booms(self):
-        daemon = self.start()
+        daemon = self.start_daemon('--manual')
         for words in (('engine_rpm', '1500'), ('feed_pressure_bar', '95'), ('boom2.feed_pressure_bar', '160'),
                       ('boom3.rattling', 'closed'), ('boom4.percussion', 'off'), ('rod_count', '6'), ('rock', '2'),
                       ('percussion_rate_hz', '40'), ('boom4.decay_factor', '2'), ('percussion_pressure_bar', '120')):
@@ -205,7 +177,7 @@ class Manual(unittest.TestCase):
 
     def test_watch_waits_for_a_daemon_and_when_it_has_gone(self):
         self.watch(lambda lines: 'waiting for rigsoundd' in lines[0])
-        daemon = self.start()
+        daemon = self.start_daemon('--manual')
         self.watch(lambda lines: lines[0].startswith('rigsoundd rig.toml'))
         self.stop(daemon)
         self.watch(lambda lines: 'waiting for rigsoundd' in lines[0])

@@ -8,16 +8,13 @@ import signal
 import socket
 import subprocess
 import sys
-import tempfile
-import time
 import unittest
 
 import jsonschema
 
-from sound_set import write_sound_set
+from daemon_case import PATIENCE_S, DaemonCase, free_port, wait_for
 
 RIGSOUND, RIGSOUNDD, ROOT = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
-PATIENCE_S = 60
 TOKEN = '0123456789abcdef-very-secret'
 SCHEMA = json.loads((ROOT / 'tools/rigsoundd/control.schema.json').read_text())
 
@@ -27,20 +24,6 @@ def validator(part):
 
 
 REQUEST, ANSWER, EVENT, STATUS = map(validator, ('request', 'answer', 'event', 'status'))
-
-
-def wait_for(what, condition):
-    for _ in range(PATIENCE_S * 20):
-        found = condition()
-        if found:
-            return found
-        time.sleep(0.05)
-    raise AssertionError(f'no {what} within {PATIENCE_S} s')
-
-
-def free_port():
-    with socket.create_server(('127.0.0.1', 0)) as probe:
-        return probe.getsockname()[1]
 
 
 class Client:
@@ -68,25 +51,14 @@ class Client:
         self.socket.close()
 
 
-class Case(unittest.TestCase):
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix='rigsound_control.'))
-        self.addCleanup(shutil.rmtree, self.folder)
-        write_sound_set(self.folder / 'set')
-        self.rig = self.folder / 'rig.toml'
-        self.socket = self.folder / 's'
-
+class Case(DaemonCase):
     def write_rig(self, control=''):
         self.rig.write_text('[audio]\ndevice = "null"\nblock = 256\n[sound]\nset = "set"\n[[boom]]\n[[boom]]\n'
                             f'[control]\nsocket = "{self.socket}"\n{control}')
 
     def start(self, control='', *words):
         self.write_rig(control)
-        daemon = subprocess.Popen([RIGSOUNDD, self.rig, '--manual', *words], stderr=subprocess.DEVNULL)
-        self.addCleanup(daemon.wait)
-        self.addCleanup(daemon.kill)
-        wait_for('daemon', lambda: self.ctl('status').returncode == 0)
-        return daemon
+        return self.start_daemon('--manual', *words)
 
     def tcp(self, token=TOKEN + '\n', mode=0o600):
         self.port = free_port()
@@ -109,9 +81,6 @@ class Case(unittest.TestCase):
         client = Client(connected)
         self.addCleanup(client.close)
         return client
-
-    def ctl(self, *words):
-        return subprocess.run([RIGSOUND, 'ctl', '--socket', self.socket, *words], capture_output=True, text=True, timeout=PATIENCE_S)
 
 
 class Schema(Case):

@@ -1,14 +1,12 @@
 #!/usr/bin/env python3
 """endings_test.py RIGSOUND: the ending of an output's name is its format, or is refused with those that go."""
 import hashlib
-import pathlib
-import shutil
 import struct
 import subprocess
 import sys
-import tempfile
 import unittest
 
+from folder_case import FolderCase
 from sound_files import read_sound, strikes, write_wav
 from sound_set import write_bank, write_sound_set
 
@@ -16,10 +14,10 @@ RIGSOUND = sys.argv[1]
 FLAC24, OGG_VORBIS, WAV_FLOAT = 0x170003, 0x200060, 0x010006  # as libsndfile numbers them
 
 
-class Endings(unittest.TestCase):
+class Endings(FolderCase):
     def setUp(self):
-        self.folder = at = pathlib.Path(tempfile.mkdtemp(prefix='rigsound_endings.'))
-        self.addCleanup(shutil.rmtree, at)
+        super().setUp()
+        at = self.folder
         write_sound_set(at / 'set')
         self.rig = at / 'rig.toml'
         self.rig.write_text('[sound]\nset = "set"\n[[udp]]\naddress = "127.0.0.1:45123"\n')

@@ -1,13 +1,12 @@
 #!/usr/bin/env python3
 """feed_test.py RIGSOUND ROOT: the feed axis as a user of `simulate`, `analyze` and `check` meets it."""
 import pathlib
-import shutil
 import struct
 import subprocess
 import sys
-import tempfile
 import unittest
 
+from folder_case import FolderCase
 from sound_set import write_sound_set
 
 RIGSOUND, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
@@ -18,11 +17,7 @@ def run(*words):
     return subprocess.run([RIGSOUND, *map(str, words)], capture_output=True, text=True, timeout=300)
 
 
-class Case(unittest.TestCase):
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix='rigsound_cli.'))
-        self.addCleanup(shutil.rmtree, self.folder)
-
+class Case(FolderCase):
     def silence(self, seconds):
         data = bytes(2 * 48000 * seconds)
         form = struct.pack('<HHIIHH', 1, 1, 48000, 96000, 2, 16)

@@ -8,7 +8,6 @@ import gzip
 import io
 import os
 import pathlib
-import shutil
 import socket
 import struct
 import subprocess
@@ -17,6 +16,7 @@ import tempfile
 import threading
 import unittest
 
+from folder_case import FolderCase
 from sound_set import write_sound_set
 
 RIGSOUND, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
@@ -37,11 +37,7 @@ def told(result):
     return [(float(r['time_s']), r['signal'], r['value']) for r in rows]
 
 
-class Case(unittest.TestCase):
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix='rigsound_field.'))
-        self.addCleanup(shutil.rmtree, self.folder)
-
+class Case(FolderCase):
     def write(self, name, content):
         path = self.folder / name
         path.write_bytes(content) if isinstance(content, bytes) else path.write_text(content)

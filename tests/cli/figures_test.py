@@ -7,13 +7,12 @@ import math
 import pathlib
 import random
 import re
-import shutil
 import struct
 import subprocess
 import sys
-import tempfile
 import unittest
 
+from folder_case import FolderCase
 from sound_set import write_sound_set
 
 RIGSOUND, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
@@ -26,11 +25,7 @@ def run(*words):
     return subprocess.run([RIGSOUND, *map(str, words)], capture_output=True, text=True, timeout=600)
 
 
-class Case(unittest.TestCase):
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix='rigsound_cli.'))
-        self.addCleanup(shutil.rmtree, self.folder)
-
+class Case(FolderCase):
     def done(self, *words):
         result = run(*words)
         self.assertEqual(result.returncode, 0, result.stderr)

@@ -6,10 +6,10 @@ import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
+from folder_case import FolderCase
 from sound_files import strikes, write_wav
 from sound_set import write_sound_set
 
@@ -26,10 +26,9 @@ def wait_for(condition, process):
     raise AssertionError('no sign of work')
 
 
-class Interrupted(unittest.TestCase):
+class Interrupted(FolderCase):
     def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix='rigsound_interrupt.'))
-        self.addCleanup(shutil.rmtree, self.folder)
+        super().setUp()
         self.temporary = self.folder / 'tmp'
         self.out = self.folder / 'out'
         self.temporary.mkdir()

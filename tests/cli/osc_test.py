@@ -1,20 +1,15 @@
 #!/usr/bin/env python3
 """osc_test.py RIGSOUND RIGSOUNDD: a daemon that a tablet plays and watches, over datagrams written by hand from the OSC 1.0 text."""
 import json
-import pathlib
-import shutil
 import socket
 import struct
 import subprocess
 import sys
-import tempfile
-import time
 import unittest
 
-from sound_set import write_sound_set
+from daemon_case import PATIENCE_S, DaemonCase, free_port
 
-RIGSOUND, RIGSOUNDD = sys.argv[1:3]
-PATIENCE_S = 60
+RIGSOUND = sys.argv[1]
 
 
 def padded(text):
@@ -46,31 +41,21 @@ def values_of(packet):
     return values
 
 
-class Case(unittest.TestCase):
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix='rigsound_osc.'))
-        self.addCleanup(shutil.rmtree, self.folder)
-        write_sound_set(self.folder / 'set')
-        self.rig = self.folder / 'rig.toml'
-
+class Case(DaemonCase):
     def write_rig(self, osc):
         self.rig.write_text('[audio]\ndevice = "null"\nblock = 256\n[sound]\nset = "set"\n[[boom]]\n[[boom]]\n'
-                            f'[control]\nsocket = "{self.folder}/s"\n[osc]\n{osc}')
+                            f'[control]\nsocket = "{self.socket}"\n[osc]\n{osc}')
 
 
 class Live(Case):
     def test_signals_controls_and_mute_come_in_and_what_is_heard_goes_out(self):
-        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-            probe.bind(('127.0.0.1', 0))
-            port = probe.getsockname()[1]
+        port = free_port(socket.SOCK_DGRAM)
         tablet = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.addCleanup(tablet.close)
         tablet.bind(('127.0.0.1', 0))
         tablet.settimeout(PATIENCE_S)
         self.write_rig(f'address = "127.0.0.1:{port}"\ntargets = ["127.0.0.1:{tablet.getsockname()[1]}"]\n')
-        daemon = subprocess.Popen([RIGSOUNDD, self.rig], stderr=subprocess.DEVNULL)
-        self.addCleanup(daemon.wait)
-        self.addCleanup(daemon.kill)
+        self.start_daemon()
         heard = {}
 
         def hear_until(**wanted):
@@ -94,12 +79,12 @@ class Live(Case):
         say('/rigsound/feed_pressure_bar', 1000)
         say('/rigsound/mute', False)
         hear_until(muted=0)
-        status = json.loads(subprocess.run([RIGSOUND, 'ctl', '--socket', self.folder / 's', 'status', '--json'], capture_output=True).stdout)
+        status = json.loads(self.ctl('status', '--json').stdout)
         signals = {signal['name']: signal for signal in status['signals']}
         self.assertEqual((signals['feed_pressure_bar']['refused'], signals['feed_pressure_bar']['last_refused']), (1, 1000))
         bus = status['buses'][0]
         self.assertEqual((bus['name'], bus['frames_seen'], bus['frames_bad']), (f'osc 127.0.0.1:{port}', 8, 1))
-        subprocess.run([RIGSOUND, 'ctl', '--socket', self.folder / 's', 'set', 'boom2.feed_pressure_bar', '60'], check=True, capture_output=True)
+        self.assertEqual(self.ctl('set', 'boom2.feed_pressure_bar', '60').returncode, 0)
         hear_until(boom2__feed_pressure_bar=60.0)  # by hand, whatever OSC says
         say('/rigsound/boom2/feed_pressure_bar', 160)
         say('/rigsound/mute', True)

@@ -5,19 +5,19 @@ import pathlib
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 
+from folder_case import FolderCase
 from sound_files import strikes, write_wav
 from sound_set import write_sound_set
 
 RIGSOUND, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
 
 
-class Outputs(unittest.TestCase):
+class Outputs(FolderCase):
     def setUp(self):
-        self.folder = at = pathlib.Path(tempfile.mkdtemp(prefix='rigsound_outputs.'))
-        self.addCleanup(shutil.rmtree, at)
+        super().setUp()
+        at = self.folder
         self.set = write_sound_set(at / 'set')
         self.clicks = self.set / 'banks/normal/clicks.wav'
         self.dbc = shutil.copy(ROOT / 'config/dbc/rig.dbc', at / 'rig.dbc')

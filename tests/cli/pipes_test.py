@@ -3,15 +3,14 @@
 import hashlib
 import os
 import pathlib
-import shutil
 import signal
 import struct
 import subprocess
 import sys
-import tempfile
 import threading
 import unittest
 
+from folder_case import FolderCase
 from sound_files import read_wav, strikes, write_wav
 from sound_set import write_sound_set
 
@@ -19,10 +18,9 @@ RIGSOUND, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
 SHIFT = ROOT / 'config/logs/shift.log'
 
 
-class Case(unittest.TestCase):
+class Case(FolderCase):
     def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix='rigsound_pipes.'))
-        self.addCleanup(shutil.rmtree, self.folder)
+        super().setUp()
         write_sound_set(self.folder / 'set')
         self.rig = self.folder / 'rig.toml'
         self.rig.write_text('[sound]\nset = "set"\n')

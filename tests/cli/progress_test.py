@@ -10,9 +10,9 @@ import re
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 
+from folder_case import FolderCase
 from sound_files import strikes, write_wav
 from sound_set import write_sound_set
 
@@ -40,10 +40,10 @@ def on_terminal(words):
     return process.wait(), out, shown.decode()
 
 
-class Progress(unittest.TestCase):
+class Progress(FolderCase):
     def setUp(self):
-        self.folder = at = pathlib.Path(tempfile.mkdtemp(prefix='rigsound_progress.'))
-        self.addCleanup(shutil.rmtree, at)
+        super().setUp()
+        at = self.folder
         write_sound_set(at / 'set')
         self.rig = at / 'rig.toml'
         self.rig.write_text('[sound]\nset = "set"\n[[udp]]\naddress = "127.0.0.1:45217"\n')

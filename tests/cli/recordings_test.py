@@ -1,22 +1,16 @@
 #!/usr/bin/env python3
 """recordings_test.py RIGSOUND: recordings that are silent or have many channels, in every verb that reads some."""
-import pathlib
-import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 
+from folder_case import FolderCase
 from sound_files import read_wav, strikes, write_wav
 
 RIGSOUND = sys.argv[1]
 
 
-class Case(unittest.TestCase):
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix='rigsound_recordings.'))
-        self.addCleanup(shutil.rmtree, self.folder)
-
+class Case(FolderCase):
     def run_verb(self, *words):
         return subprocess.run([RIGSOUND, *map(str, words)], capture_output=True, text=True, timeout=300)
 

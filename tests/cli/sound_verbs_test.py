@@ -4,13 +4,12 @@ import csv
 import io
 import json
 import math
-import pathlib
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 
+from folder_case import FolderCase
 from sound_set import SITUATIONS, write_bank, write_sound_set
 
 RIGSOUND = sys.argv[1]
@@ -22,11 +21,7 @@ def run(*words):
     return subprocess.run([RIGSOUND, *map(str, words)], capture_output=True, text=True, timeout=600)
 
 
-class Case(unittest.TestCase):
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix='rigsound_cli.'))
-        self.addCleanup(shutil.rmtree, self.folder)
-
+class Case(FolderCase):
     def rows(self, *words):
         result = run(*words)
         self.assertEqual(result.returncode, 0, result.stderr)

@@ -6,48 +6,31 @@ SENDER is examples/udp_sender.cpp, built.
 import csv
 import io
 import json
-import pathlib
-import shutil
 import socket
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
-from sound_set import write_sound_set
+from daemon_case import PATIENCE_S, DaemonCase, free_port, wait_for
 
-RIGSOUND, RIGSOUNDD, SENDER, ROOT = sys.argv[1:5]
-PATIENCE_S = 120
+RIGSOUND = sys.argv[1]
+SENDER, ROOT = sys.argv[3:5]
 
 
 def run(*words):
     return subprocess.run([RIGSOUND, *map(str, words)], capture_output=True, text=True, timeout=PATIENCE_S)
 
 
-def free_port():
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        probe.bind(('127.0.0.1', 0))
-        return probe.getsockname()[1]
-
-
-def wait_for(ready):
-    end = time.monotonic() + PATIENCE_S
-    while not (value := ready()):
-        assert time.monotonic() < end, 'waited in vain'
-        time.sleep(0.02)
-    return value
-
-
-class Case(unittest.TestCase):
+class Case(DaemonCase):
     def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix='rigsound_udp.'))
-        self.addCleanup(shutil.rmtree, self.folder)
-        self.port = free_port()
-        write_sound_set(self.folder / 'set')
-        self.rig = self.folder / 'rig.toml'
-        self.rig.write_text(f'[audio]\ndevice = "null"\n[sound]\nset = "{self.folder}/set"\n[control]\nsocket = "{self.folder}/s"\n'
+        super().setUp()
+        self.port = free_port(socket.SOCK_DGRAM)
+        self.rig.write_text(f'[audio]\ndevice = "null"\n[sound]\nset = "set"\n[control]\nsocket = "{self.socket}"\n'
                             f'[[udp]]\naddress = "127.0.0.1:{self.port}"\n')
+
+    def status(self):
+        return json.loads(self.ctl('status', '--json').stdout)
 
     def values(self, log, *words):
         result = run('decode', self.rig, '--log', log, *words)
@@ -99,20 +82,10 @@ class Examples(Case):
 
 class Live(Case):
     def test_the_daemon_hears_it(self):
-        daemon = subprocess.Popen([RIGSOUNDD, self.rig], stderr=subprocess.DEVNULL)
-        self.addCleanup(daemon.wait)
-        self.addCleanup(daemon.kill)
-        wait_for((self.folder / 's').exists)
-
-        def status():
-            with socket.socket(socket.AF_UNIX) as client:
-                client.connect(str(self.folder / 's'))
-                client.sendall(b'{"command":"status"}\n')
-                with client.makefile() as answer:
-                    return json.loads(answer.readline())
+        self.start_daemon()
 
         def signal(name):
-            return next(s for s in status()['signals'] if s['name'] == name)
+            return next(s for s in self.status()['signals'] if s['name'] == name)
 
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as mouth:
             def heard():
@@ -120,32 +93,19 @@ class Live(Case):
                 feed, rattling = signal('feed_pressure_bar'), signal('rattling')
                 # The value is the one that the last block was told: it comes a block after the validity.
                 return (feed['validity'], feed['value'], rattling['value']) == ('valid', 90, 2)
-            wait_for(heard)
-            wait_for(lambda: signal('feed_pressure_bar')['validity'] == 'stale')
-        bus = next(b for b in status()['buses'] if b['name'] == f'udp 127.0.0.1:{self.port}')
+            wait_for('value', heard)
+            wait_for('stale feed', lambda: signal('feed_pressure_bar')['validity'] == 'stale')
+        bus = next(b for b in self.status()['buses'] if b['name'] == f'udp 127.0.0.1:{self.port}')
         self.assertTrue(bus['up'])
 
 
 class Reload(Case):
     def test_a_bus_of_which_nothing_changed_goes_on(self):
-        with socket.create_server(('127.0.0.1', 0)) as probe:
-            port = probe.getsockname()[1]
+        port = free_port()
         modbus = f'[[modbus]]\naddress = "127.0.0.1:{port}"\n[modbus.signals]\nrock = {{ address = 0 }}\n'
         self.rig.write_text(self.rig.read_text() + modbus)
-        daemon = subprocess.Popen([RIGSOUNDD, self.rig], stderr=subprocess.PIPE, text=True)
-        self.addCleanup(daemon.stderr.close)
-        self.addCleanup(daemon.wait)
-        self.addCleanup(daemon.kill)
-        wait_for((self.folder / 's').exists)
-
-        def ask(command):
-            with socket.socket(socket.AF_UNIX) as client:
-                client.connect(str(self.folder / 's'))
-                client.sendall(json.dumps({'command': command}).encode() + b'\n')
-                with client.makefile() as answer:
-                    return json.loads(answer.readline())
-
-        wait_for(lambda: all(bus['up'] for bus in ask('status')['buses']))
+        self.start_daemon()
+        wait_for('bus', lambda: all(bus['up'] for bus in self.status()['buses']))
         with socket.create_connection(('127.0.0.1', port), timeout=PATIENCE_S) as master:
             def write(value):
                 try:
@@ -154,11 +114,11 @@ class Reload(Case):
                 except ConnectionError:
                     return b''
             self.assertEqual(write(1), b'\1')
-            self.rig.write_text(self.rig.read_text().replace(str(self.port), str(free_port())))
-            self.assertTrue(ask('reload')['ok'])
+            self.rig.write_text(self.rig.read_text().replace(str(self.port), str(free_port(socket.SOCK_DGRAM))))
+            self.assertEqual(self.ctl('reload').returncode, 0)
             self.assertEqual(write(2), b'\2')  # the same connection
             self.rig.write_text(self.rig.read_text().replace('address = 0', 'address = 1'))
-            self.assertTrue(ask('reload')['ok'])
+            self.assertEqual(self.ctl('reload').returncode, 0)
             self.assertEqual(write(3), b'')  # now the bus is another
 
 
