@@ -7,6 +7,7 @@
 #include "rig/sections.hpp"
 #include "rigsound/config/sound_set_files.hpp"
 #include "rigsound/machine/input_error.hpp"
+#include "rigsound/modbus/exchange.hpp"
 #include "text/read_text.hpp"
 
 namespace rigsound::config {
@@ -34,26 +35,12 @@ StaleDefaults stale_defaults(const Rig& rig) {
   return stale;
 }
 
-/// Calls `visit(section, id)` for every signal that a bus delivers.
-template <class Visit>
-void for_each_source(const Rig& rig, Visit visit) {
-  for (const can::CanOptions& bus : rig.can)
-    for (const can::SignalRoute& route : bus.routes) visit("can", route.target);
-  for (const modbus::ModbusOptions& link : rig.modbus)
-    for (const modbus::RegisterRoute& route : link.routes) visit("modbus", route.target);
-  for (const udp::UdpOptions& input : rig.udp)
-    for (const udp::NameRoute& route : input.routes) visit("udp", route.target);
-  for (const udp::NameRoute& route : rig.osc.routes) visit("osc", route.target);
-}
-
 void require_one_source(const Rig& rig, const TomlTable& root) {
   std::set<std::pair<Signal, int>> seen;
-  const auto note = [&](const char* section, SignalId id) {
-    if (!seen.emplace(id.signal, id.boom).second)
-      root.fail(section,
-                "delivers " + signal_label(rig, id) + ", but another bus does too, expected one source");
-  };
-  for_each_source(rig, note);
+  for (const SignalSource& source : sources_of(rig))
+    if (!seen.emplace(source.signal.signal, source.signal.boom).second)
+      root.fail(source.section, "delivers " + signal_label(rig, source.signal) +
+                                    ", but another bus does too, expected one source");
 }
 
 void require_own_interfaces(const Rig& rig, const TomlTable& root) {
@@ -131,7 +118,7 @@ void take_sound(const TomlTable& table, const std::filesystem::path& folder, Rig
 /// Signals that no bus read so far delivers.
 std::vector<udp::NameRoute> free_signals(const Rig& rig) {
   std::set<std::pair<Signal, int>> taken;
-  for_each_source(rig, [&](const char*, SignalId id) { taken.emplace(id.signal, id.boom); });
+  for (const SignalSource& source : sources_of(rig)) taken.emplace(source.signal.signal, source.signal.boom);
   std::vector<udp::NameRoute> routes;
   for_each_signal(static_cast<int>(rig.engine.booms.size()), [&](SignalId id) {
     if (taken.count({id.signal, id.boom}) != 0) return;
@@ -216,6 +203,22 @@ std::vector<std::filesystem::path> files_of(const Rig& rig) {
   files.push_back(rig.file);
   files.insert(files.end(), rig.dbc_files.begin(), rig.dbc_files.end());
   return files;
+}
+
+std::vector<SignalSource> sources_of(const Rig& rig) {
+  std::vector<SignalSource> sources;
+  for (const can::CanOptions& bus : rig.can)
+    for (const can::SignalRoute& route : bus.routes)
+      sources.push_back({route.target, "can", bus.interface, route.name});
+  for (const modbus::ModbusOptions& link : rig.modbus)
+    for (const modbus::RegisterRoute& route : link.routes)
+      sources.push_back({route.target, "modbus", link.address, modbus::describe(route.table, route.address)});
+  for (const udp::UdpOptions& input : rig.udp)
+    for (const udp::NameRoute& route : input.routes)
+      sources.push_back({route.target, "udp", input.address, route.name});
+  for (const udp::NameRoute& route : rig.osc.routes)
+    sources.push_back({route.target, "osc", rig.osc.address, route.name});
+  return sources;
 }
 
 log::Buses buses_of(const Rig& rig) { return {rig.can, rig.modbus, rig.udp}; }

@@ -64,26 +64,12 @@ void print_osc(const config::Rig& rig) {
     fmt::print("osc to {} every {:g} ms\n", target, osc.every_s * 1e3);
 }
 
-bool delivers(const config::Rig& rig, Signal signal) {
-  for (const can::CanOptions& bus : rig.can)
-    for (const can::SignalRoute& route : bus.routes)
-      if (route.target.signal == signal) return true;
-  for (const modbus::ModbusOptions& link : rig.modbus)
-    for (const modbus::RegisterRoute& route : link.routes)
-      if (route.target.signal == signal) return true;
-  const auto named = [&](const std::vector<udp::NameRoute>& routes) {
-    return std::any_of(routes.begin(), routes.end(),
-                       [&](const udp::NameRoute& route) { return route.target.signal == signal; });
-  };
-  for (const udp::UdpOptions& input : rig.udp)
-    if (named(input.routes)) return true;
-  return named(rig.osc.routes);
-}
-
 std::vector<std::string> missing_signals(const config::Rig& rig) {
+  const std::vector<config::SignalSource> sources = config::sources_of(rig);
   std::vector<std::string> missing;
   for (const Signal needed : {Signal::kEngineRpm, Signal::kFeedPressureBar, Signal::kRattling})
-    if (!delivers(rig, needed))
+    if (std::none_of(sources.begin(), sources.end(),
+                     [&](const config::SignalSource& source) { return source.signal.signal == needed; }))
       missing.push_back(fmt::format("{}: no bus delivers {}, it will stay at {:g}", rig.file.string(),
                                     info(needed).name, info(needed).absent));
   return missing;

@@ -26,12 +26,7 @@ struct DecodeArguments {
 
 std::vector<SignalId> watched(const config::Rig& rig) {
   std::vector<SignalId> ids;
-  for (const can::CanOptions& bus : rig.can)
-    for (const can::SignalRoute& route : bus.routes) ids.push_back(route.target);
-  for (const modbus::ModbusOptions& link : rig.modbus)
-    for (const modbus::RegisterRoute& route : link.routes) ids.push_back(route.target);
-  for (const udp::UdpOptions& input : rig.udp)
-    for (const udp::NameRoute& route : input.routes) ids.push_back(route.target);
+  for (const config::SignalSource& source : config::sources_of(rig)) ids.push_back(source.signal);
   return ids;
 }
 

@@ -1,15 +1,14 @@
 #include "check/check_json.hpp"
 
-#include "rigsound/modbus/exchange.hpp"
-
 namespace rigsound::tools {
 namespace {
 
-/// `from`: the signal, register or name on the bus.
-Json signal_json(const config::Rig& rig, SignalId id, const std::string& bus, const std::string& from) {
-  const SafetyRule& rule = rig.safety.rule[static_cast<std::size_t>(id.signal)];
+Json signal_json(const config::Rig& rig, const config::SignalSource& source) {
+  const SafetyRule& rule = rig.safety.rule[static_cast<std::size_t>(source.signal.signal)];
   FigureRow row;
-  row.add("signal", config::signal_label(rig, id)).add("bus", bus).add("from", from);
+  row.add("signal", config::signal_label(rig, source.signal))
+      .add("bus", source.section + " " + source.address)
+      .add("from", source.from);
   if (rule.stale_after_s > 0)
     row.add("stale_after_ms", rule.stale_after_s * 1000)
         .add("when_stale", std::string(kStaleActions[static_cast<std::size_t>(rule.action)]));
@@ -18,18 +17,7 @@ Json signal_json(const config::Rig& rig, SignalId id, const std::string& bus, co
 
 Json signals_json(const config::Rig& rig) {
   Json list = Json::array();
-  for (const can::CanOptions& bus : rig.can)
-    for (const can::SignalRoute& route : bus.routes)
-      list.push_back(signal_json(rig, route.target, "can " + bus.interface, route.name));
-  for (const modbus::ModbusOptions& link : rig.modbus)
-    for (const modbus::RegisterRoute& route : link.routes)
-      list.push_back(signal_json(rig, route.target, "modbus " + link.address,
-                                 modbus::describe(route.table, route.address)));
-  for (const udp::UdpOptions& input : rig.udp)
-    for (const udp::NameRoute& route : input.routes)
-      list.push_back(signal_json(rig, route.target, "udp " + input.address, route.name));
-  for (const udp::NameRoute& route : rig.osc.routes)
-    list.push_back(signal_json(rig, route.target, "osc " + rig.osc.address, route.name));
+  for (const config::SignalSource& source : config::sources_of(rig)) list.push_back(signal_json(rig, source));
   return list;
 }
 

@@ -76,6 +76,17 @@ std::string control_token(const Rig& rig);
 /// What the rig was and will be read from: its file, its sound set, its DBC files.
 std::vector<std::filesystem::path> files_of(const Rig& rig);
 
+/// Where a signal comes from.
+struct SignalSource {
+  SignalId signal{};
+  std::string section;  ///< of the rig file: can, modbus, udp, osc
+  std::string address;  ///< the bus's: can0, 192.168.1.5:502
+  std::string from;     ///< the signal, register or name on the bus
+};
+
+/// Of every signal that a bus delivers, in the order of the rig file's buses.
+std::vector<SignalSource> sources_of(const Rig& rig);
+
 /// The buses of the rig, for reading a log of them.
 log::Buses buses_of(const Rig& rig);
 
