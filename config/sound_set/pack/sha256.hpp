@@ -1,5 +1,5 @@
-// SHA-256 (FIPS 180-4). Of our own because what reads a packed set links no library: it runs in a browser
-// too.
+// SHA-256 (FIPS 180-4): libcrypto's, and a plain one for engine.wasm (tools/library/wasm), which links no
+// library.
 #pragma once
 
 #include <array>
