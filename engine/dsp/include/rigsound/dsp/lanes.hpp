@@ -1,4 +1,5 @@
-// Vector arithmetic with a written order of additions: two doubles side by side, on every machine.
+// Vector arithmetic with a written order of additions: two doubles or four floats side by side, on every
+// machine.
 #pragma once
 
 #include <cstring>
@@ -35,6 +36,25 @@ inline double dot(const double* a, const double* b, int n) noexcept {
   }
   const Lanes s = (s0 + s1) + (s2 + s3);
   return s[0] + s[1];
+}
+
+using FloatLanes = float __attribute__((vector_size(16)));
+
+inline FloatLanes load_floats(const float* p) noexcept {
+  FloatLanes v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+
+/// As dot() of doubles, in two accumulators of four lanes; lanes are added as (0 + 2) + (1 + 3). Thread: RT.
+inline float dot(const float* a, const float* b, int n) noexcept {
+  FloatLanes s0{}, s1{};
+  for (int i = 0; i < n; i += 8) {
+    s0 += load_floats(a + i) * load_floats(b + i);
+    s1 += load_floats(a + i + 4) * load_floats(b + i + 4);
+  }
+  const FloatLanes s = s0 + s1;
+  return (s[0] + s[2]) + (s[1] + s[3]);
 }
 
 }  // namespace rigsound::dsp
