@@ -88,7 +88,7 @@ void StartStop::follow(double rpm) noexcept {
 void StartStop::advance(double rpm, double* out) noexcept {
   follow(rpm);
   const double wanted = target(rpm);
-  gain_.go_to(wanted + (gain_.to - wanted) * smoothing_);
+  gain_.go_to(dsp::approached(gain_.to, wanted, smoothing_));
   if (wanted == 0 && gain_.to < 1e-5) gain_.to = 0;
   shot_.add(fade_, out);
   leaving_.add(fade_, out);

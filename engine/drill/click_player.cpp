@@ -67,4 +67,8 @@ bool ClickPlayer::add_to(double* bus) noexcept {
   return any;
 }
 
+void ClickPlayer::reset() noexcept {
+  for (ClickVoice& voice : voices_) voice.stop();
+}
+
 }  // namespace rigsound::drill

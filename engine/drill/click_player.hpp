@@ -31,6 +31,8 @@ class ClickPlayer {
   /// Adds kChunk samples of all sounding clicks to `bus`; returns whether any sounded. Thread: RT.
   bool add_to(double* bus) noexcept;
 
+  void reset() noexcept;  ///< No click sounds any more. Thread: RT
+
   std::uint64_t lost() const noexcept { return lost_; }
 
  private:

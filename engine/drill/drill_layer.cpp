@@ -10,16 +10,25 @@ DrillLayer::DrillLayer(std::uint64_t seed, int boom, double sample_rate)
   static_assert(kVoicings == 3, "one player a voicing");
 }
 
-void DrillLayer::process(const DrillInput& input, const Impacts& impacts, double* out) noexcept {
+bool DrillLayer::process(const DrillInput& input, const Impacts& impacts, double* out) noexcept {
   std::fill(out, out + kChunk, 0.0);
+  bool sounds = false;
   for (int v = 0; v < kVoicings; ++v) {
     const Slot& slot = input.slots[v];
     if (slot.banks.count > 0 && slot.gain.to > 0)
       for (const Impact& impact : impacts) players_[v].strike(slot.banks, impact, slot.controls);
     double bus[kChunk] = {};
-    const bool sounds = players_[v].add_to(bus);
-    if (tilts_[v].process(slot.tilt_db_per_octave, sounds, bus)) dsp::add_scaled(slot.gain, bus, out, kChunk);
+    const bool played = players_[v].add_to(bus);
+    if (!tilts_[v].process(slot.tilt_db_per_octave, played, bus)) continue;
+    dsp::add_scaled(slot.gain, bus, out, kChunk);
+    sounds = true;
   }
+  return sounds;
+}
+
+void DrillLayer::reset() noexcept {
+  for (ClickPlayer& player : players_) player.reset();
+  for (TiltFilter& tilt : tilts_) tilt.reset();
 }
 
 std::uint64_t DrillLayer::lost() const noexcept {

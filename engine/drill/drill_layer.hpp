@@ -14,8 +14,11 @@ class DrillLayer {
  public:
   DrillLayer(std::uint64_t seed, int boom, double sample_rate);  ///< Thread: OFF
 
-  /// The next kChunk samples. A bank whose slot is silent is not struck. Thread: RT.
-  void process(const DrillInput& input, const Impacts& impacts, double* out) noexcept;
+  /// The next kChunk samples; false: all of them are zero. A bank whose slot is silent is not struck. Thread:
+  /// RT.
+  bool process(const DrillInput& input, const Impacts& impacts, double* out) noexcept;
+
+  void reset() noexcept;  ///< to silence. Thread: RT
 
   std::uint64_t lost() const noexcept;
 

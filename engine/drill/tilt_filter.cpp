@@ -8,7 +8,8 @@
 namespace rigsound::drill {
 namespace {
 
-constexpr double kGone = 1e-12;  // a state: what is less is dropped before it turns denormal
+// A state: what is less is dropped before it turns denormal, what is more will soon be no number.
+constexpr double kLeast = 1e-12, kMost = 1e50;
 
 }  // namespace
 
@@ -37,6 +38,10 @@ void TiltFilter::place(double db_per_octave) noexcept {
   }
 }
 
+void TiltFilter::reset() noexcept {
+  for (Shelf& shelf : shelves_) shelf.state = 0;
+}
+
 bool TiltFilter::rings() const noexcept {
   for (const Shelf& shelf : shelves_)
     if (shelf.state != 0) return true;
@@ -53,7 +58,8 @@ bool TiltFilter::process(double db_per_octave, bool sounds, double* x) noexcept 
       state = shelf.b1 * x[n] - shelf.a1 * y;
       x[n] = y;
     }
-    shelf.state = std::fabs(state) < kGone ? 0 : state;
+    const double size = std::fabs(state);
+    shelf.state = size >= kLeast && size < kMost ? state : 0;
   }
   return sounds || rings();
 }

@@ -20,6 +20,8 @@ class TiltFilter {
   /// nothing at tilt 0, and changes nothing then. Thread: RT.
   bool process(double db_per_octave, bool sounds, double* x) noexcept;
 
+  void reset() noexcept;  ///< Thread: RT
+
  private:
   struct Shelf {
     double warp;                    ///< 1 / tan(pi f / rate)

@@ -49,13 +49,16 @@ Mixer::Mixer(const EngineOptions& options)
 }
 
 void Mixer::place(const Buses& buses, double (*x)[kChunk]) const noexcept {
+  const auto add = [](const Bus& bus, double gain, double* channel) {
+    if (!bus.sounds) return;
+    for (int n = 0; n < kChunk; ++n) channel[n] += gain * bus.x[n];
+  };
   for (int c = 0; c < channels_; ++c) {
-    const auto channel = static_cast<std::size_t>(c);
-    for (int n = 0; n < kChunk; ++n) x[c][n] = diesel_[channel] * buses.diesel[n];
+    std::fill(x[c], x[c] + kChunk, 0.0);
+    add(buses.diesel, diesel_[static_cast<std::size_t>(c)], x[c]);
     for (int b = 0; b < booms_; ++b) {
-      const BoomGains& gains = boom_[static_cast<std::size_t>(b)];
-      for (int n = 0; n < kChunk; ++n)
-        x[c][n] += gains.drill[channel] * buses.drill[b][n] + gains.tool[channel] * buses.tool[b][n];
+      add(buses.drill[b], boom_[static_cast<std::size_t>(b)].drill[static_cast<std::size_t>(c)], x[c]);
+      add(buses.tool[b], boom_[static_cast<std::size_t>(b)].tool[static_cast<std::size_t>(c)], x[c]);
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "mix/buses.hpp"
 #include "mix/limiter.hpp"
 #include "rigsound/dsp/biquad.hpp"
 #include "rigsound/dsp/ramp.hpp"
@@ -11,13 +12,6 @@
 #include "rigsound/options.hpp"
 
 namespace rigsound::mix {
-
-/// kChunk samples of every layer.
-struct Buses {
-  double drill[kMaxBooms][kChunk];
-  double tool[kMaxBooms][kChunk];
-  double diesel[kChunk];
-};
 
 class Mixer {
  public:

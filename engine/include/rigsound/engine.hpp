@@ -17,6 +17,9 @@ struct EngineMeters {
   float rms = 0;
   float limiter_gain = 1;         ///< lowest of the last block, linear
   std::uint64_t lost_clicks = 0;  ///< clicks dropped because every voice was busy, since construction
+  /// Chunks of kChunk frames that one layer was left out of because it had made something that is no number;
+  /// since construction. It begins again from silence.
+  std::uint64_t dropped_chunks = 0;
 };
 
 class Engine {

@@ -61,7 +61,8 @@ TEST_CASE("pan keeps the power and reaches both ends") {
     options.booms = {{"boom", pan, 0, -1}};
     mix::Mixer mixer(options);
     mix::Buses buses{};
-    for (double& x : buses.drill[0]) x = 0.5;
+    buses.drill[0].sounds = true;
+    for (double& x : buses.drill[0].x) x = 0.5;
     float out[kChunk * 2];
     mixer.process(buses, {1, 1}, out);
     const double left = static_cast<double>(out[10]), right = static_cast<double>(out[11]);

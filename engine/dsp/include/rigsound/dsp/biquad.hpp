@@ -23,10 +23,14 @@ class Biquad {
   }
 
   /// Call once a chunk: what rings below -240 dB is dropped, so that silence ends in exact zeros and not in
-  /// denormal numbers.
+  /// denormal numbers; and what is no number, or so large that it will be none.
   void settle() noexcept {
-    if (s1_ * s1_ + s2_ * s2_ < 1e-24) s1_ = s2_ = 0;
+    const double energy = s1_ * s1_ + s2_ * s2_;
+    if (!(energy >= 1e-24 && energy < 1e100)) reset();
   }
+
+  void reset() noexcept { s1_ = s2_ = 0; }
+  bool rests() const noexcept { return s1_ == 0 && s2_ == 0; }  ///< zeros give zeros
 
  private:
   BiquadCoefficients c_;

@@ -38,6 +38,12 @@ inline double one_pole_remainder(double time_s, double samples, double sample_ra
   return exp(-samples / (time_s * sample_rate));
 }
 
+/// One step of such a smoother. A value that is no number is at once where it shall go. Thread: RT.
+inline double approached(double value, double target, double remainder) noexcept {
+  const double next = target + (value - target) * remainder;
+  return next - next == 0 ? next : target;
+}
+
 /// `from`, moved towards `to` by `step` at most. Thread: RT.
 inline double step_towards(double from, double to, double step) noexcept {
   return from < to ? std::min(to, from + step) : std::max(to, from - step);
