@@ -105,7 +105,7 @@ void Playing::set(const MachineState& state) noexcept {
 }
 
 std::uint64_t Playing::take_dropped() noexcept {
-  std::uint64_t dropped = diesel_meter.take_dropped();
+  std::uint64_t dropped = diesel_meter.take_dropped() + mixer.take_dropped();
   for (Boom& boom : booms) dropped += boom.take_dropped();
   return dropped;
 }
@@ -114,19 +114,26 @@ std::uint64_t Playing::take_dropped() noexcept {
 
 struct Engine::Parts {
   Parts(const EngineOptions& o, SoundSet s)
-      : options(o), sounds(std::move(s)), fresh(options, sounds), playing(fresh) {}
+      : options(o),
+        lookahead(lookahead_frames(o)),
+        sounds(std::move(s)),
+        fresh(options, sounds),
+        playing(fresh) {}
 
   void set(const MachineState& state) noexcept;
   void process_chunk(float* out) noexcept;
-  void measure(const float* out) noexcept;
+  void measure() noexcept;
   void describe() noexcept;
 
   EngineOptions options;
+  int lookahead;  ///< frames
   SoundSet sounds;
   const Playing fresh;  ///< as it was built
   Playing playing;
   MachineState state;  ///< as last told
   bool told = false, begun = false;
+  int still_frames =
+      0;  ///< since the rig fell silent for a pause, counted while the limiter still holds sound
   mix::Buses buses{};
   EngineMeters meters;
   EngineView view;
@@ -139,10 +146,12 @@ void Engine::Parts::set(const MachineState& next) noexcept {
   playing.set(guarded(state));
 }
 
-/// While the simulator is paused time stands still, once the sound has faded; after `reset` it begins anew.
+/// While the simulator is paused time stands still, once the sound has faded and left the limiter; after
+/// `reset` it begins anew.
 void Engine::Parts::process_chunk(float* out) noexcept {
   Playing& p = playing;
-  if (p.rig.stands_still()) {
+  still_frames = p.rig.stands_still() ? std::min(still_frames, lookahead) + kChunk : 0;
+  if (still_frames > lookahead) {
     if (begun && state.simulation == Simulation::kReset) {
       playing = fresh;
       playing.set(guarded(state));
@@ -157,17 +166,14 @@ void Engine::Parts::process_chunk(float* out) noexcept {
   buses.diesel.sounds = p.diesel.process(p.rig.diesel(), buses.diesel.x);
   p.diesel_meter.admit(p.diesel, buses.diesel);
   p.mixer.process(buses, p.rig.gain(), out);
-  meters.dropped_chunks += p.take_dropped();
   meters.limiter_gain = std::min(meters.limiter_gain, static_cast<float>(p.mixer.lowest_gain()));
 }
 
-void Engine::Parts::measure(const float* out) noexcept {
-  const int samples = options.block * options.channels;
-  mix::LevelMeter meter;
-  meter.add(out, samples);
-  const LayerLevel level = meter.take(1, samples);
+void Engine::Parts::measure() noexcept {
+  const LayerLevel level = playing.mixer.take_level(options.block * options.channels);
   meters.peak = level.peak;
   meters.rms = level.rms;
+  meters.dropped_chunks += playing.take_dropped();
   meters.lost_clicks = 0;
   for (const Boom& boom : playing.booms) meters.lost_clicks += boom.drill.lost();
 }
@@ -192,7 +198,7 @@ void Engine::process(const MachineState& state, float* out) noexcept {
   p.set(state);
   p.meters.limiter_gain = 1;
   for (int n = 0; n < p.options.block; n += kChunk) p.process_chunk(out + n * p.options.channels);
-  p.measure(out);
+  p.measure();
   p.describe();
 }
 

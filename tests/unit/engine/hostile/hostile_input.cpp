@@ -7,6 +7,7 @@
 
 #include "engine_check.hpp"
 #include "rigsound/default_diesel.hpp"
+#include "rigsound/tool_player.hpp"
 
 namespace rigsound::tests {
 namespace {
@@ -185,7 +186,7 @@ ToolModel HostileInput::tool(double sample_rate) {
   };
   return accepted(ToolModel{}, draw, [&](const ToolModel& model) {
     require_valid(model, sample_rate);
-    design_tool(model, sample_rate);
+    ToolPlayer(model, sample_rate, 1);  // designs every steel of it
   });
 }
 

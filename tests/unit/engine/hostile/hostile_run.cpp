@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/allocation_guard.hpp"
+#include "engine/mix/true_peak_meter.hpp"
 
 namespace rigsound::tests {
 namespace {
@@ -17,7 +18,7 @@ class Player {
   Player(const EngineOptions& options, SoundSet sounds, HostileFindings& findings)
       : engine_(options, std::move(sounds)),
         block_(static_cast<std::size_t>(options.block * options.channels)),
-        ceiling_(std::pow(10.0, options.mix.ceiling_dbfs / 20) * (1 + 1e-6)),
+        ceiling_(std::pow(10.0, options.mix.ceiling_dbfs / 20)),
         findings_(findings) {}
 
   void play(const MachineState& state) {
@@ -25,10 +26,16 @@ class Player {
     engine_.process(state, block_.data());
     findings_.allocations += allocations() - before;
     ++findings_.blocks;
-    for (const float x : block_) {
+    const auto channels = static_cast<std::size_t>(engine_.options().channels);
+    for (std::size_t i = 0; i < block_.size(); ++i) {
+      const auto x = static_cast<double>(block_[i]);
       findings_.not_finite += std::isfinite(x) ? 0 : 1;
-      findings_.over_ceiling += std::fabs(static_cast<double>(x)) > ceiling_ ? 1 : 0;
+      findings_.over_ceiling += std::fabs(x) > ceiling_ * (1 + 1e-7) ? 1 : 0;
+      if (i % channels < 2) meter_[i % channels].add(x);
     }
+    if (lookahead_frames(engine_.options()) == 0) return;
+    for (const TruePeakMeter& meter : meter_)
+      findings_.highest_true_peak = std::max(findings_.highest_true_peak, meter.peak() / ceiling_);
   }
 
   /// So many seconds of `state`; returns the highest peak.
@@ -45,6 +52,7 @@ class Player {
   Engine engine_;
   std::vector<float> block_;
   double ceiling_;
+  TruePeakMeter meter_[2];  ///< of the channels that sound
   HostileFindings& findings_;
 };
 

@@ -10,6 +10,7 @@ namespace rigsound::tests {
 struct HostileFindings {
   std::int64_t blocks = 0, engines = 0;
   std::int64_t not_finite = 0, over_ceiling = 0;  ///< samples
+  double highest_true_peak = 0;                   ///< against the ceiling, of engines that look ahead
   std::int64_t allocations = 0;                   ///< inside process()
   std::int64_t dropped_chunks = 0;
   std::int64_t not_healed = 0;  ///< engines that dropped a chunk, or were silent, once input was sane again

@@ -1,5 +1,8 @@
-// No input, however hostile, makes a sample that is no number or too loud, allocates, or leaves a mark.
+// No input, however hostile, makes a sample that is no number, a true peak that is too loud, an allocation or
+// a mark that stays.
 #include <doctest/doctest.h>
+
+#include <cmath>
 
 #include "engine/hostile/hostile_run.hpp"
 
@@ -15,9 +18,11 @@ TEST_CASE("hostile states and sound sets: finite, under the ceiling, no allocati
     run_hostile(input, kBlocksAnEngine, found);
     REQUIRE(found.not_finite == 0);
     REQUIRE(found.over_ceiling == 0);
+    REQUIRE(found.highest_true_peak <= 1);
     REQUIRE(found.allocations == 0);
     REQUIRE(found.not_healed == 0);
   }
   MESSAGE(found.blocks << " blocks of " << found.engines << " engines, " << found.dropped_chunks
-                       << " chunks dropped");
+                       << " chunks dropped, highest true peak " << 20 * std::log10(found.highest_true_peak)
+                       << " dB against the ceiling");
 }

@@ -21,6 +21,10 @@ inline Lanes load(const float* p) noexcept {
   return __builtin_convertvector(v, Lanes);
 }
 
+/// Lane 0 + lane 1; a number is its own. Thread: RT.
+inline double total(Lanes x) noexcept { return x[0] + x[1]; }
+inline double total(double x) noexcept { return x; }
+
 inline void store(double* p, Lanes v) noexcept { std::memcpy(p, &v, sizeof v); }
 
 /// sum a[i] b[i] for n a multiple of 8: four accumulators of two lanes, added as

@@ -20,8 +20,9 @@ struct Ramp {
   bool rests_at(double value) const noexcept { return from == value && to == value; }
 };
 
-/// x[n] times the ramp. Thread: RT.
-inline void scale(const Ramp& ramp, double* x, int count) noexcept {
+/// x[n], numbers or Lanes, times the ramp. Thread: RT.
+template <class Sample>
+void scale(const Ramp& ramp, Sample* x, int count) noexcept {
   const double step = (ramp.to - ramp.from) / count;
   for (int n = 0; n < count; ++n) x[n] *= ramp.from + step * (n + 1);
 }
