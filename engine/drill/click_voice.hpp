@@ -20,8 +20,6 @@ class ClickVoice {
   /// Adds the next kChunk samples to `bus`. Thread: RT.
   void add_to(double* bus) noexcept;
 
-  void stop() noexcept { position_ = end_; }  ///< Thread: RT
-
   bool sounding() const noexcept { return position_ != end_; }
 
  private:

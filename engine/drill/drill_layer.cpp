@@ -17,9 +17,10 @@ bool DrillLayer::process(const DrillInput& input, const Impacts& impacts, double
     const Slot& slot = input.slots[v];
     if (slot.banks.count > 0 && slot.gain.to > 0)
       for (const Impact& impact : impacts) players_[v].strike(slot.banks, impact, slot.controls);
+    if (!players_[v].sounds() && tilts_[v].rests()) continue;
     double bus[kChunk] = {};
-    const bool played = players_[v].add_to(bus);
-    if (!tilts_[v].process(slot.tilt_db_per_octave, played, bus)) continue;
+    players_[v].add_to(bus);
+    tilts_[v].process(slot.tilt_db_per_octave, bus);
     dsp::add_scaled(slot.gain, bus, out, kChunk);
     sounds = true;
   }

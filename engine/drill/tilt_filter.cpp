@@ -42,15 +42,15 @@ void TiltFilter::reset() noexcept {
   for (Shelf& shelf : shelves_) shelf.state = 0;
 }
 
-bool TiltFilter::rings() const noexcept {
+bool TiltFilter::rests() const noexcept {
   for (const Shelf& shelf : shelves_)
-    if (shelf.state != 0) return true;
-  return false;
+    if (shelf.state != 0) return false;
+  return true;
 }
 
-bool TiltFilter::process(double db_per_octave, bool sounds, double* x) noexcept {
+void TiltFilter::process(double db_per_octave, double* x) noexcept {
   if (db_per_octave != tilt_) place(db_per_octave);
-  if (tilt_ == 0 && !rings()) return sounds;
+  if (tilt_ == 0 && rests()) return;
   for (Shelf& shelf : shelves_) {
     double state = shelf.state;
     for (int n = 0; n < kChunk; ++n) {
@@ -61,7 +61,6 @@ bool TiltFilter::process(double db_per_octave, bool sounds, double* x) noexcept 
     const double size = std::fabs(state);
     shelf.state = size >= kLeast && size < kMost ? state : 0;
   }
-  return sounds || rings();
 }
 
 }  // namespace rigsound::drill

@@ -68,10 +68,10 @@ TEST_CASE("filters heal from what is no number") {
     drill::TiltFilter tilt(48000);
     double x[kChunk];
     std::fill(x, x + kChunk, bad);
-    tilt.process(3, true, x);
+    tilt.process(3, x);
     for (int chunk = 0; chunk < 100; ++chunk) {
       std::fill(x, x + kChunk, 0.25);
-      tilt.process(3, true, x);
+      tilt.process(3, x);
     }
     CHECK(x[kChunk - 1] == doctest::Approx(0.25).epsilon(1e-3));
   }
