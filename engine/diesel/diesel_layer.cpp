@@ -134,8 +134,7 @@ void DieselLayer::Voice::run(double* out) noexcept {
 bool DieselLayer::Voice::process(const DieselInput& input, double* out) noexcept {
   std::fill(out, out + kChunk, 0.0);
   set_speed(input.rpm);
-  double shot[kChunk] = {};
-  start_stop_.advance(rpm_.to, shot);
+  start_stop_.advance(rpm_.to);
   if (start_stop_.silent()) return false;
 
   const double rpm = 0.5 * (rpm_.from + rpm_.to);
@@ -149,7 +148,7 @@ bool DieselLayer::Voice::process(const DieselInput& input, double* out) noexcept
   dsp::scale(start_stop_.gain(), out, kChunk);
   if (!load_gain_.rests_at(1)) dsp::scale(load_gain_, out, kChunk);
   hydraulic_.add(cycles_per_second(rpm), input.feed, start_stop_.gain().to, out);
-  for (int n = 0; n < kChunk; ++n) out[n] += shot[n];
+  start_stop_.add_to(out);
   return true;
 }
 

@@ -12,6 +12,7 @@ DrillLayer::DrillLayer(std::uint64_t seed, int boom, double sample_rate)
 
 bool DrillLayer::process(const DrillInput& input, const Impacts& impacts, double* out) noexcept {
   std::fill(out, out + kChunk, 0.0);
+  if (rests_ && impacts.count == 0) return false;
   bool sounds = false;
   for (int v = 0; v < kVoicings; ++v) {
     const Slot& slot = input.slots[v];
@@ -24,10 +25,12 @@ bool DrillLayer::process(const DrillInput& input, const Impacts& impacts, double
     dsp::add_scaled(slot.gain, bus, out, kChunk);
     sounds = true;
   }
+  rests_ = !sounds;
   return sounds;
 }
 
 void DrillLayer::reset() noexcept {
+  rests_ = true;
   for (ClickPlayer& player : players_) player.reset();
   for (TiltFilter& tilt : tilts_) tilt.reset();
 }

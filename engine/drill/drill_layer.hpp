@@ -25,6 +25,7 @@ class DrillLayer {
  private:
   std::array<ClickPlayer, kVoicings> players_;
   std::array<TiltFilter, kVoicings> tilts_;
+  bool rests_ = true;  ///< nothing sounds until the next impact
 };
 
 }  // namespace rigsound::drill

@@ -26,7 +26,7 @@ class LevelMeter {
     const dsp::Lanes sum = (s0 + s1) + (s2 + s3);
     if (!(sum[0] + sum[1] < kNoSound)) return false;
     sum_ += sum;
-    most_ = larger(most_, larger(larger(m0, m1), larger(m2, m3)));
+    most_ = dsp::larger(most_, dsp::larger(dsp::larger(m0, m1), dsp::larger(m2, m3)));
     return true;
   }
 
@@ -43,9 +43,8 @@ class LevelMeter {
   static void take_pair(dsp::Lanes x, dsp::Lanes& sum, dsp::Lanes& most) noexcept {
     const dsp::Lanes square = x * x;
     sum += square;
-    most = larger(most, square);
+    most = dsp::larger(most, square);
   }
-  static dsp::Lanes larger(dsp::Lanes a, dsp::Lanes b) noexcept { return a < b ? b : a; }
 
   dsp::Lanes sum_{}, most_{};
 };

@@ -60,7 +60,7 @@ bool Mixer::equalise(bool sounds, dsp::Lanes* x) noexcept {
   for (dsp::BiquadPair& band : equaliser_) {
     if (!sounds && band.rests()) continue;
     if (!sounds) std::fill_n(x, kChunk, dsp::Lanes{});
-    for (int n = 0; n < kChunk; ++n) x[n] = band.process(x[n]);
+    band.process(x, kChunk);
     sounds = band.settle();
     if (sounds) continue;
     for (dsp::BiquadPair& each : equaliser_) each.reset();
@@ -71,9 +71,10 @@ bool Mixer::equalise(bool sounds, dsp::Lanes* x) noexcept {
 }
 
 bool Mixer::mix(const Buses& buses, const dsp::Ramp& gain, dsp::Lanes* x) noexcept {
-  const bool sounds = !gain.rests_at(0) && place(buses, x);
-  if (sounds && !gain.rests_at(1)) dsp::scale(gain, x, kChunk);
-  return equalise(sounds, x);
+  const bool sounds = equalise(place(buses, x), x);
+  if (!sounds || gain.rests_at(0)) return false;
+  if (!gain.rests_at(1)) dsp::scale(gain, x, kChunk);
+  return true;
 }
 
 void Mixer::process(const Buses& buses, const dsp::Ramp& gain, float* out) noexcept {

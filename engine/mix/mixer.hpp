@@ -1,4 +1,4 @@
-// Layers in, channels out: gains, pan, equaliser, limiter.
+// Layers in, channels out: gains, pan, equaliser, output level, limiter.
 #pragma once
 
 #include <array>

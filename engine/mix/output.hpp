@@ -22,7 +22,7 @@ class Output {
   LayerLevel take(int samples) noexcept;
 
  private:
-  float ceiling_;  ///< rounding to single precision may pass it
+  float ceiling_;
   int channels_;
   dsp::Lanes energy_{}, most_{};  ///< most_: squared
 };

@@ -8,13 +8,11 @@ namespace {
 constexpr int kGroup = 8;  // frames that are looked at together
 static_assert(TruePeak::kPast == 2 * kGroup && TruePeak::kPast >= kTruePeakTaps - 1);
 
-dsp::Lanes magnitude(dsp::Lanes x) noexcept { return x < 0.0 ? -x : x; }
-dsp::Lanes higher(dsp::Lanes a, dsp::Lanes b) noexcept { return a < b ? b : a; }
 double highest(dsp::Lanes x) noexcept { return std::max(x[0], x[1]); }
 
 double sample_peak(const dsp::Lanes* x) noexcept {
   dsp::Lanes most{};
-  for (int n = 0; n < kGroup; ++n) most = higher(most, magnitude(x[n]));
+  for (int n = 0; n < kGroup; ++n) most = dsp::larger(most, dsp::magnitude(x[n]));
   return highest(most);
 }
 
@@ -27,7 +25,7 @@ dsp::Lanes mirrored_pair(const double* h, const dsp::Lanes* sum, const dsp::Lane
     s += (h[k] + mirror) * sum[k];
     d += (h[k] - mirror) * difference[k];
   }
-  return magnitude(s) + magnitude(d);
+  return dsp::magnitude(s) + dsp::magnitude(d);
 }
 
 double true_peak(const dsp::Lanes* x) noexcept {
@@ -38,7 +36,7 @@ double true_peak(const dsp::Lanes* x) noexcept {
       const dsp::Lanes newer = x[n - k], older = x[n - (kTruePeakTaps - 1) + k];
       sum[k] = newer + older, difference[k] = newer - older;
     }
-    for (const auto& phase : kTruePeakPhase) most = higher(most, mirrored_pair(phase, sum, difference));
+    for (const auto& phase : kTruePeakPhase) most = dsp::larger(most, mirrored_pair(phase, sum, difference));
   }
   return highest(most) / 2;
 }

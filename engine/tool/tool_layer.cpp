@@ -112,7 +112,7 @@ void ToolLayer::crossfade(double* out) noexcept {
 
 void ToolLayer::equalise(double* out) noexcept {
   for (dsp::Biquad& band : equaliser_) {
-    for (int n = 0; n < kChunk; ++n) out[n] = band.process(out[n]);
+    band.process(out, kChunk);
     band.settle();
   }
 }

@@ -26,6 +26,13 @@ class BiquadOf {
     return y;
   }
 
+  /// `count` samples in place.
+  void process(Sample* x, int count) noexcept {
+    BiquadOf run = *this;  // its state stays in registers
+    for (int n = 0; n < count; ++n) x[n] = run.process(x[n]);
+    s1_ = run.s1_, s2_ = run.s2_;
+  }
+
   /// Call once a chunk: what rings below -240 dB is dropped, so that silence ends in exact zeros and not in
   /// denormal numbers. False: it was no number, or so large that it would have been none; now it rests.
   bool settle() noexcept {

@@ -1,6 +1,7 @@
 // Vector arithmetic with a written order of additions: two doubles side by side, on every machine.
 #pragma once
 
+#include <cstdint>
 #include <cstring>
 
 namespace rigsound::dsp {
@@ -19,6 +20,18 @@ inline Lanes load(const float* p) noexcept {
   Floats v;
   std::memcpy(&v, p, sizeof v);
   return __builtin_convertvector(v, Lanes);
+}
+
+inline Lanes larger(Lanes a, Lanes b) noexcept { return a < b ? b : a; }
+
+/// |x|
+inline Lanes magnitude(Lanes x) noexcept {
+  using Bits = std::int64_t __attribute__((vector_size(16)));
+  Bits bits;
+  std::memcpy(&bits, &x, sizeof x);
+  bits &= std::int64_t{0x7fffffffffffffff};
+  std::memcpy(&x, &bits, sizeof x);
+  return x;
 }
 
 /// Lane 0 + lane 1; a number is its own. Thread: RT.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "rigsound/dsp/elementary.hpp"
+#include "rigsound/dsp/lanes.hpp"
 
 namespace rigsound::dsp {
 
@@ -27,10 +28,12 @@ void scale(const Ramp& ramp, Sample* x, int count) noexcept {
   for (int n = 0; n < count; ++n) x[n] *= ramp.from + step * (n + 1);
 }
 
-/// y[n] += ramp times x[n]. Thread: RT.
+/// y[n] += ramp times x[n], `count` even. Thread: RT.
 inline void add_scaled(const Ramp& ramp, const double* x, double* y, int count) noexcept {
   const double step = (ramp.to - ramp.from) / count;
-  for (int n = 0; n < count; ++n) y[n] += (ramp.from + step * (n + 1)) * x[n];
+  Lanes place = {1, 2};
+  for (int n = 0; n < count; n += 2, place += 2.0)
+    store(y + n, load(y + n) + (ramp.from + step * place) * load(x + n));
 }
 
 /// The share of its way that a one-pole smoother of time constant `time_s` has still to go after `samples`:
