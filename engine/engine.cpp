@@ -9,7 +9,7 @@
 #include "engine_check.hpp"
 #include "impact/impact_train.hpp"
 #include "impact/rate_counter.hpp"
-#include "mix/level_meter.hpp"
+#include "mix/layer_meter.hpp"
 #include "mix/mixer.hpp"
 #include "rigsound/dsp/elementary.hpp"
 #include "rigsound/machine/state_guard.hpp"
@@ -36,17 +36,23 @@ struct Boom {
       rods.emplace(sounds.strings[boom.drill_string], options.sample_rate, options.seed, index);
   }
 
-  void process(double* drill_bus, double* tool_bus) noexcept {
+  void process(mix::Bus& drill_bus, mix::Bus& tool_bus) noexcept {
     scene.advance();
     train.process(scene.impacts());
-    drill.process(scene.drill(), train.impacts(), drill_bus);
-    std::fill(tool_bus, tool_bus + kChunk, 0.0);
-    if (tool) tool->process(scene.tool(), train.impacts(), tool_bus);
-    if (rods) rods->process(scene.rods(), train.impacts(), tool_bus);
+    drill_bus.sounds = drill.process(scene.drill(), train.impacts(), drill_bus.x);
+    drill_meter.admit(drill, drill_bus);
+    if (tool) {
+      tool_bus.sounds = tool->process(scene.tool(), train.impacts(), tool_bus.x);
+      tool_meter.admit(*tool, tool_bus);
+    }
+    if (rods) {
+      tool_bus.sounds = rods->process(scene.rods(), train.impacts(), tool_bus.x);
+      tool_meter.admit(*rods, tool_bus);
+    }
     made.add(train.impacts().count);
-    drill_meter.add(drill_bus, kChunk);
-    if (tool || rods) tool_meter.add(tool_bus, kChunk);
   }
+
+  std::uint64_t take_dropped() noexcept { return drill_meter.take_dropped() + tool_meter.take_dropped(); }
 
   /// Of a block of `frames`.
   void describe(int frames, BoomView& view) noexcept {
@@ -64,7 +70,7 @@ struct Boom {
 
   double drill_gain, tool_gain;
   impact::RateCounter made;
-  mix::LevelMeter drill_meter, tool_meter;
+  mix::LayerMeter drill_meter, tool_meter;
 };
 
 /// Everything that changes while the engine plays; copied to begin anew. No copy of a copy allocates.
@@ -78,6 +84,7 @@ struct Playing {
   }
 
   void set(const MachineState& state) noexcept;
+  std::uint64_t take_dropped() noexcept;
 
   scene::RigScene rig;
   std::vector<Boom> booms;
@@ -85,7 +92,7 @@ struct Playing {
   mix::Mixer mixer;
 
   double diesel_gain;
-  mix::LevelMeter diesel_meter;
+  mix::LayerMeter diesel_meter;
 };
 
 void Playing::set(const MachineState& state) noexcept {
@@ -97,23 +104,36 @@ void Playing::set(const MachineState& state) noexcept {
   rig.set(state, static_cast<int>(booms.size()), hammering);
 }
 
+std::uint64_t Playing::take_dropped() noexcept {
+  std::uint64_t dropped = diesel_meter.take_dropped() + mixer.take_dropped();
+  for (Boom& boom : booms) dropped += boom.take_dropped();
+  return dropped;
+}
+
 }  // namespace
 
 struct Engine::Parts {
   Parts(const EngineOptions& o, SoundSet s)
-      : options(o), sounds(std::move(s)), fresh(options, sounds), playing(fresh) {}
+      : options(o),
+        lookahead(lookahead_frames(o)),
+        sounds(std::move(s)),
+        fresh(options, sounds),
+        playing(fresh) {}
 
   void set(const MachineState& state) noexcept;
   void process_chunk(float* out) noexcept;
-  void measure(const float* out) noexcept;
+  void measure() noexcept;
   void describe() noexcept;
 
   EngineOptions options;
+  int lookahead;  ///< frames
   SoundSet sounds;
   const Playing fresh;  ///< as it was built
   Playing playing;
   MachineState state;  ///< as last told
   bool told = false, begun = false;
+  int still_frames =
+      0;  ///< since the rig fell silent for a pause, counted while the limiter still holds sound
   mix::Buses buses{};
   EngineMeters meters;
   EngineView view;
@@ -126,10 +146,12 @@ void Engine::Parts::set(const MachineState& next) noexcept {
   playing.set(guarded(state));
 }
 
-/// While the simulator is paused time stands still, once the sound has faded; after `reset` it begins anew.
+/// While the simulator is paused time stands still, once the sound has faded and left the limiter; after
+/// `reset` it begins anew.
 void Engine::Parts::process_chunk(float* out) noexcept {
   Playing& p = playing;
-  if (p.rig.stands_still()) {
+  still_frames = p.rig.stands_still() ? std::min(still_frames, lookahead) + kChunk : 0;
+  if (still_frames > lookahead) {
     if (begun && state.simulation == Simulation::kReset) {
       playing = fresh;
       playing.set(guarded(state));
@@ -141,19 +163,17 @@ void Engine::Parts::process_chunk(float* out) noexcept {
   begun = true;
   for (std::size_t b = 0; b < p.booms.size(); ++b) p.booms[b].process(buses.drill[b], buses.tool[b]);
   p.rig.advance();
-  p.diesel.process(p.rig.diesel(), buses.diesel);
-  p.diesel_meter.add(buses.diesel, kChunk);
+  buses.diesel.sounds = p.diesel.process(p.rig.diesel(), buses.diesel.x);
+  p.diesel_meter.admit(p.diesel, buses.diesel);
   p.mixer.process(buses, p.rig.gain(), out);
   meters.limiter_gain = std::min(meters.limiter_gain, static_cast<float>(p.mixer.lowest_gain()));
 }
 
-void Engine::Parts::measure(const float* out) noexcept {
-  const int samples = options.block * options.channels;
-  mix::LevelMeter meter;
-  meter.add(out, samples);
-  const LayerLevel level = meter.take(1, samples);
+void Engine::Parts::measure() noexcept {
+  const LayerLevel level = playing.mixer.take_level(options.block * options.channels);
   meters.peak = level.peak;
   meters.rms = level.rms;
+  meters.dropped_chunks += playing.take_dropped();
   meters.lost_clicks = 0;
   for (const Boom& boom : playing.booms) meters.lost_clicks += boom.drill.lost();
 }
@@ -178,7 +198,7 @@ void Engine::process(const MachineState& state, float* out) noexcept {
   p.set(state);
   p.meters.limiter_gain = 1;
   for (int n = 0; n < p.options.block; n += kChunk) p.process_chunk(out + n * p.options.channels);
-  p.measure(out);
+  p.measure();
   p.describe();
 }
 

@@ -19,6 +19,8 @@ class AngleRing {
     for (int i = 0; i < count; ++i, ++end_) samples_[static_cast<std::size_t>(end_ & mask_)] = values[i];
   }
 
+  void clear() noexcept { std::fill(samples_.begin(), samples_.end(), 0.0); }  ///< Thread: RT
+
   void read(std::int64_t first, int count, double* out) const noexcept {  ///< Thread: RT
     const std::int64_t at = first & mask_, before_wrap = std::min<std::int64_t>(count, mask_ + 1 - at);
     std::copy_n(samples_.begin() + at, before_wrap, out);

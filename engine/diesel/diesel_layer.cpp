@@ -50,7 +50,8 @@ class DieselLayer::Voice {
         hydraulic_(model_, sample_rate, seed),
         start_stop_(model_, sample_rate, idle_rpm) {}
 
-  void process(const DieselInput& input, double* out) noexcept;
+  bool process(const DieselInput& input, double* out) noexcept;
+  void reset() noexcept;
 
  private:
   void set_speed(double rpm) noexcept;
@@ -130,12 +131,11 @@ void DieselLayer::Voice::run(double* out) noexcept {
   }
 }
 
-void DieselLayer::Voice::process(const DieselInput& input, double* out) noexcept {
+bool DieselLayer::Voice::process(const DieselInput& input, double* out) noexcept {
   std::fill(out, out + kChunk, 0.0);
   set_speed(input.rpm);
-  double shot[kChunk] = {};
-  start_stop_.advance(rpm_.to, shot);
-  if (start_stop_.silent()) return;
+  start_stop_.advance(rpm_.to);
+  if (start_stop_.silent()) return false;
 
   const double rpm = 0.5 * (rpm_.from + rpm_.to);
   before_ = at_.place;
@@ -148,7 +148,17 @@ void DieselLayer::Voice::process(const DieselInput& input, double* out) noexcept
   dsp::scale(start_stop_.gain(), out, kChunk);
   if (!load_gain_.rests_at(1)) dsp::scale(load_gain_, out, kChunk);
   hydraulic_.add(cycles_per_second(rpm), input.feed, start_stop_.gain().to, out);
-  for (int n = 0; n < kChunk; ++n) out[n] += shot[n];
+  start_stop_.add_to(out);
+  return true;
+}
+
+void DieselLayer::Voice::reset() noexcept {
+  high_.reset();
+  low_.reset();
+  body_.reset();
+  over_.reset();
+  under_.reset();
+  hydraulic_.reset();
 }
 
 DieselLayer::DieselLayer(const std::vector<DieselModel>& models, double sample_rate, std::uint64_t seed,
@@ -164,11 +174,14 @@ DieselLayer& DieselLayer::operator=(const DieselLayer& other) noexcept {
   return *this;
 }
 
-void DieselLayer::process(const DieselInput& input, double* out) noexcept {
-  if (voice_)
-    voice_->process(input, out);
-  else
-    std::fill(out, out + kChunk, 0.0);
+bool DieselLayer::process(const DieselInput& input, double* out) noexcept {
+  if (voice_) return voice_->process(input, out);
+  std::fill(out, out + kChunk, 0.0);
+  return false;
+}
+
+void DieselLayer::reset() noexcept {
+  if (voice_) voice_->reset();
 }
 
 }  // namespace rigsound::diesel

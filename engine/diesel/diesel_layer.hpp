@@ -25,8 +25,10 @@ class DieselLayer {
   /// Takes over another layer of the same model without allocating. Thread: RT.
   DieselLayer& operator=(const DieselLayer& other) noexcept;
 
-  /// The next kChunk samples. Thread: RT.
-  void process(const DieselInput& controls, double* out) noexcept;
+  /// The next kChunk samples; false: all of them are zero. Thread: RT.
+  bool process(const DieselInput& controls, double* out) noexcept;
+
+  void reset() noexcept;  ///< Filters and what is made ahead, to silence; it turns on. Thread: RT
 
  private:
   class Voice;

@@ -24,4 +24,9 @@ void HighLayer::produce(std::int64_t end, const OperatingGrid& grid, const Opera
   }
 }
 
+void HighLayer::reset() noexcept {
+  if (slots_) slots_->reset();
+  ring_.clear();
+}
+
 }  // namespace rigsound::diesel

@@ -24,6 +24,8 @@ class HighLayer {
   /// Makes every angle sample before `end`, a slot at a time. Thread: RT.
   void produce(std::int64_t end, const OperatingGrid& grid, const OperatingPoint& at) noexcept;
 
+  void reset() noexcept;  ///< Silence so far. Thread: RT
+
   const AngleRing& ring() const noexcept { return ring_; }
 
  private:

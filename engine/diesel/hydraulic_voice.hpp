@@ -14,6 +14,8 @@ class HydraulicVoice {
   /// 0...1, the pump turns with the engine. Thread: RT.
   void add(double f, double feed, double running, double* out) noexcept;
 
+  void reset() noexcept { colour_.reset(); }  ///< Thread: RT
+
  private:
   double exponent_, flow_;
   ToneBank pump_;

@@ -1,5 +1,7 @@
 #include "diesel/low_layer.hpp"
 
+#include <algorithm>
+
 namespace rigsound::diesel {
 
 LowLayer::LowLayer(const DieselModel& model, std::uint64_t seed)
@@ -23,6 +25,13 @@ void LowLayer::produce(std::int64_t end, const OperatingGrid& grid, const GridPl
   }
   const std::int64_t played = P_ - (ring_.end() - end);  // of the hop that plays now
   if (played > 0) grow(static_cast<int>(played * WaveletTree::kGroups / P_), grid, place);
+}
+
+void LowLayer::reset() noexcept {
+  tree_.reset();
+  ring_.clear();
+  std::fill(X_.begin(), X_.end(), 0.0);
+  std::fill(overlap_.begin(), overlap_.end(), 0.0);
 }
 
 void LowLayer::grow(int groups, const OperatingGrid& grid, const GridPlace& place) noexcept {

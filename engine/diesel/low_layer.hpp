@@ -19,6 +19,8 @@ class LowLayer {
   /// grows by sixteenths of a cycle, so no block pays for a whole one. Thread: RT.
   void produce(std::int64_t end, const OperatingGrid& grid, const GridPlace& place) noexcept;
 
+  void reset() noexcept;  ///< Silence so far. Thread: RT
+
   const AngleRing& ring() const noexcept { return ring_; }
 
  private:

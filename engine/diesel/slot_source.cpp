@@ -46,4 +46,9 @@ void SlotSource::produce(const OperatingGrid& grid, const GridPlace& place, doub
   ++frame_;
 }
 
+void SlotSource::reset() noexcept {
+  std::fill(overlap_.begin(), overlap_.end(), 0.0);
+  z_ = 0;
+}
+
 }  // namespace rigsound::diesel

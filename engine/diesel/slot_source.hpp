@@ -19,6 +19,8 @@ class SlotSource {
   /// The next M angle samples. `f`: cycles a second; what would fold over is left out. Thread: RT.
   void produce(const OperatingGrid& grid, const GridPlace& place, double f, double* out) noexcept;
 
+  void reset() noexcept;  ///< Silence so far. Thread: RT
+
  private:
   int L_, M_, bands_;
   double sample_rate_;

@@ -85,11 +85,14 @@ void StartStop::follow(double rpm) noexcept {
   if (rpm < kStands_rpm && !shot_.sounds()) phase_ = Phase::kOff;
 }
 
-void StartStop::advance(double rpm, double* out) noexcept {
+void StartStop::advance(double rpm) noexcept {
   follow(rpm);
   const double wanted = target(rpm);
-  gain_.go_to(wanted + (gain_.to - wanted) * smoothing_);
+  gain_.go_to(dsp::approached(gain_.to, wanted, smoothing_));
   if (wanted == 0 && gain_.to < 1e-5) gain_.to = 0;
+}
+
+void StartStop::add_to(double* out) noexcept {
   shot_.add(fade_, out);
   leaving_.add(fade_, out);
 }

@@ -15,8 +15,10 @@ class StartStop {
   /// One-shots are brought to `sample_rate`. Thread: OFF.
   StartStop(const DieselModel& model, double sample_rate, double idle_rpm);
 
-  /// Moves on by kChunk samples at `rpm`, adding a one-shot to `out`. Thread: RT.
-  void advance(double rpm, double* out) noexcept;
+  /// Moves on by kChunk samples at `rpm`. Thread: RT.
+  void advance(double rpm) noexcept;
+  /// Adds their one-shots to `out`. Thread: RT.
+  void add_to(double* out) noexcept;
 
   const dsp::Ramp& gain() const noexcept { return gain_; }  ///< 0...1, linear over the chunk
   bool silent() const noexcept { return gain_.rests_at(0) && !shot_.sounds() && !leaving_.sounds(); }

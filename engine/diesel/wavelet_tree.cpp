@@ -1,5 +1,6 @@
 #include "diesel/wavelet_tree.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 #include "rigsound/dsp/wavelet.hpp"
@@ -19,6 +20,11 @@ WaveletTree::WaveletTree(int channels, int N, std::uint64_t seed)
 void WaveletTree::produce(int group, const double* deviation, double* out) noexcept {
   level(group, 0, deviation, out);
   ++count_[static_cast<std::size_t>(group)];
+}
+
+void WaveletTree::reset() noexcept {
+  std::fill(approximation_.begin(), approximation_.end(), 0.0);
+  std::fill(detail_.begin(), detail_.end(), 0.0);
 }
 
 void WaveletTree::draw(int group, int row, const double* deviation, double* out) noexcept {

@@ -22,6 +22,8 @@ class WaveletTree {
   /// Thread: RT.
   void produce(int group, const double* deviation, double* out) noexcept;
 
+  void reset() noexcept;  ///< Silence so far. Thread: RT
+
  private:
   void level(int group, int j, const double* deviation, double* out) noexcept;
   void draw(int group, int row, const double* deviation, double* out) noexcept;

@@ -49,22 +49,21 @@ void ClickPlayer::strike(const BankChoices& banks, const Impact& impact,
   const double gain = bank.mean_amplitude * impact.amplitude *
                       dsp::gain_of_db(bank.gain_db + static_cast<double>(controls.mean_amplitude_db));
   const int delay = static_cast<int>(std::floor(impact.onset + 0.5));
-  for (ClickVoice& voice : voices_) {
-    if (voice.sounding()) continue;
-    voice.start(bank, click, delay, gain, controls);
+  const std::uint64_t free = ~sounding_;
+  if (free == 0) {
+    ++lost_;
     return;
   }
-  ++lost_;
+  voices_[static_cast<std::size_t>(__builtin_ctzll(free))].start(bank, click, delay, gain, controls);
+  sounding_ |= free & (~free + 1);
 }
 
-bool ClickPlayer::add_to(double* bus) noexcept {
-  bool any = false;
-  for (ClickVoice& voice : voices_) {
-    if (!voice.sounding()) continue;
+void ClickPlayer::add_to(double* bus) noexcept {
+  for (std::uint64_t left = sounding_; left != 0; left &= left - 1) {
+    ClickVoice& voice = voices_[static_cast<std::size_t>(__builtin_ctzll(left))];
     voice.add_to(bus);
-    any = true;
+    if (!voice.sounding()) sounding_ &= ~(left & (~left + 1));
   }
-  return any;
 }
 
 }  // namespace rigsound::drill

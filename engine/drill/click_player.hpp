@@ -28,8 +28,12 @@ class ClickPlayer {
   /// the click is counted as lost. Thread: RT.
   void strike(const BankChoices& banks, const Impact& impact, const DrillControls& controls) noexcept;
 
-  /// Adds kChunk samples of all sounding clicks to `bus`; returns whether any sounded. Thread: RT.
-  bool add_to(double* bus) noexcept;
+  bool sounds() const noexcept { return sounding_ != 0; }  ///< any click does
+
+  /// Adds kChunk samples of all sounding clicks to `bus`. Thread: RT.
+  void add_to(double* bus) noexcept;
+
+  void reset() noexcept { sounding_ = 0; }  ///< No click sounds any more. Thread: RT
 
   std::uint64_t lost() const noexcept { return lost_; }
 
@@ -49,6 +53,8 @@ class ClickPlayer {
 
   dsp::RandomField random_;
   std::array<ClickVoice, kMaxVoices> voices_{};
+  std::uint64_t sounding_ = 0;  ///< a bit for each voice
+  static_assert(kMaxVoices == 64);
   std::array<Rest, kMaxChoices> rests_{};
   std::size_t next_rest_ = 0;  ///< taken by the next bank that has none
   std::uint64_t lost_ = 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "rigsound/dsp/lanes.hpp"
+
 namespace rigsound::drill {
 namespace {
 
@@ -48,7 +50,9 @@ void ClickVoice::add_to(double* bus) noexcept {
   const int count = static_cast<int>(std::min<std::ptrdiff_t>(kChunk - from, end_ - position_));
   double* out = bus + from;
   if (!reshaped_) {
-    for (int n = 0; n < count; ++n) out[n] += gain_ * static_cast<double>(position_[n]);
+    int n = 0;
+    for (; n + 1 < count; n += 2) dsp::store(out + n, dsp::load(out + n) + gain_ * dsp::load(position_ + n));
+    if (n < count) out[n] += gain_ * static_cast<double>(position_[n]);
   } else {
     for (int n = 0; n < count; ++n) out[n] += gain_ * next_ratio() * static_cast<double>(position_[n]);
   }

@@ -10,16 +10,29 @@ DrillLayer::DrillLayer(std::uint64_t seed, int boom, double sample_rate)
   static_assert(kVoicings == 3, "one player a voicing");
 }
 
-void DrillLayer::process(const DrillInput& input, const Impacts& impacts, double* out) noexcept {
+bool DrillLayer::process(const DrillInput& input, const Impacts& impacts, double* out) noexcept {
   std::fill(out, out + kChunk, 0.0);
+  if (rests_ && impacts.count == 0) return false;
+  bool sounds = false;
   for (int v = 0; v < kVoicings; ++v) {
     const Slot& slot = input.slots[v];
     if (slot.banks.count > 0 && slot.gain.to > 0)
       for (const Impact& impact : impacts) players_[v].strike(slot.banks, impact, slot.controls);
+    if (!players_[v].sounds() && tilts_[v].rests()) continue;
     double bus[kChunk] = {};
-    const bool sounds = players_[v].add_to(bus);
-    if (tilts_[v].process(slot.tilt_db_per_octave, sounds, bus)) dsp::add_scaled(slot.gain, bus, out, kChunk);
+    players_[v].add_to(bus);
+    tilts_[v].process(slot.tilt_db_per_octave, bus);
+    dsp::add_scaled(slot.gain, bus, out, kChunk);
+    sounds = true;
   }
+  rests_ = !sounds;
+  return sounds;
+}
+
+void DrillLayer::reset() noexcept {
+  rests_ = true;
+  for (ClickPlayer& player : players_) player.reset();
+  for (TiltFilter& tilt : tilts_) tilt.reset();
 }
 
 std::uint64_t DrillLayer::lost() const noexcept {

@@ -14,14 +14,18 @@ class DrillLayer {
  public:
   DrillLayer(std::uint64_t seed, int boom, double sample_rate);  ///< Thread: OFF
 
-  /// The next kChunk samples. A bank whose slot is silent is not struck. Thread: RT.
-  void process(const DrillInput& input, const Impacts& impacts, double* out) noexcept;
+  /// The next kChunk samples; false: all of them are zero. A bank whose slot is silent is not struck. Thread:
+  /// RT.
+  bool process(const DrillInput& input, const Impacts& impacts, double* out) noexcept;
+
+  void reset() noexcept;  ///< to silence. Thread: RT
 
   std::uint64_t lost() const noexcept;
 
  private:
   std::array<ClickPlayer, kVoicings> players_;
   std::array<TiltFilter, kVoicings> tilts_;
+  bool rests_ = true;  ///< nothing sounds until the next impact
 };
 
 }  // namespace rigsound::drill

@@ -8,7 +8,8 @@
 namespace rigsound::drill {
 namespace {
 
-constexpr double kGone = 1e-12;  // a state: what is less is dropped before it turns denormal
+// A state: what is less is dropped before it turns denormal, what is more will soon be no number.
+constexpr double kLeast = 1e-12, kMost = 1e50;
 
 }  // namespace
 
@@ -37,15 +38,19 @@ void TiltFilter::place(double db_per_octave) noexcept {
   }
 }
 
-bool TiltFilter::rings() const noexcept {
-  for (const Shelf& shelf : shelves_)
-    if (shelf.state != 0) return true;
-  return false;
+void TiltFilter::reset() noexcept {
+  for (Shelf& shelf : shelves_) shelf.state = 0;
 }
 
-bool TiltFilter::process(double db_per_octave, bool sounds, double* x) noexcept {
+bool TiltFilter::rests() const noexcept {
+  for (const Shelf& shelf : shelves_)
+    if (shelf.state != 0) return false;
+  return true;
+}
+
+void TiltFilter::process(double db_per_octave, double* x) noexcept {
   if (db_per_octave != tilt_) place(db_per_octave);
-  if (tilt_ == 0 && !rings()) return sounds;
+  if (tilt_ == 0 && rests()) return;
   for (Shelf& shelf : shelves_) {
     double state = shelf.state;
     for (int n = 0; n < kChunk; ++n) {
@@ -53,9 +58,9 @@ bool TiltFilter::process(double db_per_octave, bool sounds, double* x) noexcept 
       state = shelf.b1 * x[n] - shelf.a1 * y;
       x[n] = y;
     }
-    shelf.state = std::fabs(state) < kGone ? 0 : state;
+    const double size = std::fabs(state);
+    shelf.state = size >= kLeast && size < kMost ? state : 0;
   }
-  return sounds || rings();
 }
 
 }  // namespace rigsound::drill

@@ -16,9 +16,12 @@ class TiltFilter {
  public:
   explicit TiltFilter(double sample_rate);  ///< Thread: OFF
 
-  /// kChunk samples in place, `sounds`: they are not all zero. Returns whether they are so afterwards. Costs
-  /// nothing at tilt 0, and changes nothing then. Thread: RT.
-  bool process(double db_per_octave, bool sounds, double* x) noexcept;
+  /// kChunk samples in place. Costs nothing at tilt 0, and changes nothing then. Thread: RT.
+  void process(double db_per_octave, double* x) noexcept;
+
+  bool rests() const noexcept;  ///< zeros give zeros
+
+  void reset() noexcept;  ///< Thread: RT
 
  private:
   struct Shelf {
@@ -27,7 +30,6 @@ class TiltFilter {
     double state = 0;
   };
   void place(double db_per_octave) noexcept;
-  bool rings() const noexcept;
 
   std::array<Shelf, kShelves_hz.size()> shelves_;
   double tilt_ = 0;

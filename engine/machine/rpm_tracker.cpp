@@ -22,6 +22,7 @@ double bandwidth(double interval_s) noexcept {
 }  // namespace
 
 double SpeedTrend::at(double age_s) const noexcept {
+  if (slope == 0) return std::max(0.0, rpm);
   const double trusted = std::min(age_s, kTrusted_s);
   const double faded = age_s > kTrusted_s ? kFade_s * (1 - dsp::exp((kTrusted_s - age_s) / kFade_s)) : 0.0;
   return std::max(0.0, rpm + slope * (trusted + faded));

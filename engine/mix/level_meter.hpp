@@ -12,18 +12,22 @@ namespace rigsound::mix {
 /// Squares in lanes: the peak is the root of the largest. Thread: RT.
 class LevelMeter {
  public:
-  /// `count` samples, float or double; a multiple of 8.
+  /// `count` samples, float or double; a multiple of 8. False, and none of them counts, when one is not
+  /// finite or so large that it is no sound.
   template <class Sample>
-  void add(const Sample* x, int count) noexcept {
-    dsp::Lanes s0 = sum_, s1{}, s2{}, s3{}, m0 = most_, m1{}, m2{}, m3{};
+  bool add(const Sample* x, int count) noexcept {
+    dsp::Lanes s0{}, s1{}, s2{}, s3{}, m0{}, m1{}, m2{}, m3{};
     for (int n = 0; n < count; n += 8) {
       take_pair(dsp::load(x + n), s0, m0);
       take_pair(dsp::load(x + n + 2), s1, m1);
       take_pair(dsp::load(x + n + 4), s2, m2);
       take_pair(dsp::load(x + n + 6), s3, m3);
     }
-    sum_ = (s0 + s1) + (s2 + s3);
-    most_ = larger(larger(m0, m1), larger(m2, m3));
+    const dsp::Lanes sum = (s0 + s1) + (s2 + s3);
+    if (!(sum[0] + sum[1] < kNoSound)) return false;
+    sum_ += sum;
+    most_ = dsp::larger(most_, dsp::larger(dsp::larger(m0, m1), dsp::larger(m2, m3)));
+    return true;
   }
 
   /// Of `samples` samples, those that were added and zeros, at `gain`; begins anew.
@@ -34,12 +38,13 @@ class LevelMeter {
   }
 
  private:
+  static constexpr double kNoSound = 1e60;  // an energy: what sounds stays far below, and can be mixed
+
   static void take_pair(dsp::Lanes x, dsp::Lanes& sum, dsp::Lanes& most) noexcept {
     const dsp::Lanes square = x * x;
     sum += square;
-    most = larger(most, square);
+    most = dsp::larger(most, square);
   }
-  static dsp::Lanes larger(dsp::Lanes a, dsp::Lanes b) noexcept { return a < b ? b : a; }
 
   dsp::Lanes sum_{}, most_{};
 };

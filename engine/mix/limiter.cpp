@@ -1,6 +1,7 @@
 #include "mix/limiter.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "rigsound/dsp/ramp.hpp"
 
@@ -9,30 +10,30 @@ namespace {
 
 constexpr double kRelease_s = 0.12;
 constexpr double kAttackSlope = 1.0 / kChunk;  // gain falls at most this much a sample ahead of a peak
-constexpr double kAbsurd = 1e9;                // a layer that gets here has failed; its sample is dropped
 
 }  // namespace
 
-Limiter::Limiter(double ceiling, int channels, double sample_rate) noexcept
-    : ceiling_(ceiling), release_(dsp::one_pole_remainder(kRelease_s, 1, sample_rate)), channels_(channels) {}
+Limiter::Limiter(double ceiling, double sample_rate) noexcept
+    : ceiling_(ceiling), release_(dsp::one_pole_remainder(kRelease_s, 1, sample_rate)) {}
 
-void Limiter::process(double (*x)[kChunk]) noexcept {
-  double allowed[kChunk];
+void Limiter::process(dsp::Lanes* x) noexcept {
+  double allowed[kChunk], lowest = 1;
   for (int n = 0; n < kChunk; ++n) {
-    double peak = 0;
-    for (int c = 0; c < channels_; ++c) {
-      double& sample = x[c][n];
-      if (!(std::fabs(sample) < kAbsurd)) sample = 0;
-      peak = std::max(peak, std::fabs(sample));
-    }
+    const double peak = std::max(std::fabs(x[n][0]), std::fabs(x[n][1]));
     allowed[n] = peak > ceiling_ ? ceiling_ / peak : 1.0;
+    lowest = std::min(lowest, allowed[n]);
   }
-  for (int n = kChunk - 2; n >= 0; --n) allowed[n] = std::min(allowed[n], allowed[n + 1] + kAttackSlope);
   lowest_ = 1;
+  if (lowest == 1 && gain_ == 1) return;
+  for (int n = kChunk - 2; n >= 0; --n) allowed[n] = std::min(allowed[n], allowed[n + 1] + kAttackSlope);
+  limit(allowed, x);
+}
+
+void Limiter::limit(const double* allowed, dsp::Lanes* x) noexcept {
   for (int n = 0; n < kChunk; ++n) {
     gain_ = std::min(allowed[n], 1 - (1 - gain_) * release_);
     lowest_ = std::min(lowest_, gain_);
-    for (int c = 0; c < channels_; ++c) x[c][n] *= gain_;
+    x[n] *= gain_;
   }
 }
 

@@ -1,27 +1,29 @@
-// The ceiling: no sample ever exceeds it, and none is late for it.
+// The ceiling without latency: no sample passes it, and none is late for it.
 #pragma once
 
+#include "rigsound/dsp/lanes.hpp"
 #include "rigsound/machine/limits.hpp"
 
 namespace rigsound::mix {
 
-/// Peak limiter without latency: it knows one chunk at a time, lets the gain fall ahead of a peak inside
-/// that chunk and lets it recover exponentially afterwards. All channels share one gain, so the image
-/// stays where it is.
+/// Peak limiter that knows one chunk at a time: the gain falls ahead of a peak inside that chunk and recovers
+/// exponentially afterwards. Both channels share one gain, so the image stays where it is. What lies between
+/// the samples may pass the ceiling: LookaheadLimiter.
 class Limiter {
  public:
   /// `ceiling`: linear, > 0. Thread: OFF.
-  Limiter(double ceiling, int channels, double sample_rate) noexcept;
+  Limiter(double ceiling, double sample_rate) noexcept;
 
-  /// Limits kChunk samples of each channel in place. A sample that is not finite becomes 0.
-  /// Shape: channels x kChunk. Thread: RT.
-  void process(double (*x)[kChunk]) noexcept;
+  /// Limits kChunk frames of two channels in place; costs one look at each sample while it has nothing to do.
+  /// Thread: RT.
+  void process(dsp::Lanes* x) noexcept;
 
   double lowest_gain() const noexcept { return lowest_; }  ///< of the last chunk
 
  private:
+  void limit(const double* allowed, dsp::Lanes* x) noexcept;
+
   double ceiling_, release_;
-  int channels_;
   double gain_ = 1, lowest_ = 1;
 };
 

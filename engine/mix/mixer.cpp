@@ -7,74 +7,94 @@
 namespace rigsound::mix {
 namespace {
 
-struct Stereo {
-  double left, right;
-};
-
-/// Equal-power pan law: -3 dB each in the middle.
-Stereo pan_law(double pan) {
-  const double angle = (pan + 1) * dsp::kPi / 4;
-  return {dsp::cos(angle), dsp::sin(angle)};
+/// Equal-power pan law: -3 dB each in the middle. The only channel takes all.
+dsp::Lanes gains(double db, double pan, int channels) {
+  const double gain = dsp::gain_of_db(db), angle = (pan + 1) * dsp::kPi / 4;
+  return channels == 1 ? dsp::Lanes{gain, 0} : dsp::Lanes{gain * dsp::cos(angle), gain * dsp::sin(angle)};
 }
 
-void set_gains(std::array<double, kMaxChannels>& gains, int channels, double gain, double pan) {
-  gains.fill(0);
-  if (channels == 1) {
-    gains[0] = gain;
-    return;
-  }
-  const Stereo place = pan_law(pan);
-  gains[0] = gain * place.left;
-  gains[1] = gain * place.right;
+std::optional<LookaheadLimiter> limiter_of(const EngineOptions& options) {
+  if (lookahead_frames(options) == 0) return {};
+  return LookaheadLimiter(dsp::gain_of_db(options.mix.ceiling_dbfs), lookahead_frames(options) / kChunk,
+                          options.sample_rate);
+}
+
+/// x += gain times the bus, or = when nothing `sounds` yet; returns whether anything does now.
+bool add(bool sounds, const Bus& bus, dsp::Lanes gain, dsp::Lanes* x) noexcept {
+  if (!bus.sounds) return sounds;
+  if (sounds)
+    for (int n = 0; n < kChunk; ++n) x[n] += gain * bus.x[n];
+  else
+    for (int n = 0; n < kChunk; ++n) x[n] = gain * bus.x[n];
+  return true;
 }
 
 }  // namespace
 
 Mixer::Mixer(const EngineOptions& options)
     : booms_(static_cast<int>(options.booms.size())),
-      channels_(options.channels),
-      ceiling_(static_cast<float>(dsp::gain_of_db(options.mix.ceiling_dbfs))),
-      bands_(static_cast<int>(options.mix.equaliser.size())),
-      limiter_(dsp::gain_of_db(options.mix.ceiling_dbfs), options.channels, options.sample_rate) {
-  for (int b = 0; b < booms_; ++b) {
-    const BoomOptions& boom = options.booms[static_cast<std::size_t>(b)];
-    BoomGains& gains = boom_[static_cast<std::size_t>(b)];
-    set_gains(gains.drill, channels_, dsp::gain_of_db(options.mix.drill_db + boom.gain_db), boom.pan);
-    set_gains(gains.tool, channels_, dsp::gain_of_db(options.mix.tool_db + boom.gain_db), boom.pan);
+      diesel_(gains(options.mix.diesel_db, 0, options.channels)),
+      ahead_(limiter_of(options)),
+      limiter_(dsp::gain_of_db(options.mix.ceiling_dbfs), options.sample_rate),
+      output_(dsp::gain_of_db(options.mix.ceiling_dbfs), options.channels) {
+  for (std::size_t b = 0; b < options.booms.size(); ++b) {
+    const BoomOptions& boom = options.booms[b];
+    drill_[b] = gains(options.mix.drill_db + boom.gain_db, boom.pan, options.channels);
+    tool_[b] = gains(options.mix.tool_db + boom.gain_db, boom.pan, options.channels);
   }
-  set_gains(diesel_, channels_, dsp::gain_of_db(options.mix.diesel_db), 0);
-  for (int c = 0; c < channels_; ++c)
-    for (const EqualiserBand& band : options.mix.equaliser)
-      equaliser_.emplace_back(dsp::peaking(band.frequency_hz, band.gain_db, band.q, options.sample_rate));
+  for (const EqualiserBand& band : options.mix.equaliser)
+    equaliser_.emplace_back(dsp::peaking(band.frequency_hz, band.gain_db, band.q, options.sample_rate));
 }
 
-void Mixer::place(const Buses& buses, double (*x)[kChunk]) const noexcept {
-  for (int c = 0; c < channels_; ++c) {
-    const auto channel = static_cast<std::size_t>(c);
-    for (int n = 0; n < kChunk; ++n) x[c][n] = diesel_[channel] * buses.diesel[n];
-    for (int b = 0; b < booms_; ++b) {
-      const BoomGains& gains = boom_[static_cast<std::size_t>(b)];
-      for (int n = 0; n < kChunk; ++n)
-        x[c][n] += gains.drill[channel] * buses.drill[b][n] + gains.tool[channel] * buses.tool[b][n];
-    }
+bool Mixer::place(const Buses& buses, dsp::Lanes* x) const noexcept {
+  bool sounds = add(false, buses.diesel, diesel_, x);
+  for (int b = 0; b < booms_; ++b) {
+    sounds = add(sounds, buses.drill[b], drill_[static_cast<std::size_t>(b)], x);
+    sounds = add(sounds, buses.tool[b], tool_[static_cast<std::size_t>(b)], x);
   }
+  return sounds;
+}
+
+/// A chunk with which a band rings beyond all bounds is dropped, and all bands begin again.
+bool Mixer::equalise(bool sounds, dsp::Lanes* x) noexcept {
+  for (dsp::BiquadPair& band : equaliser_) {
+    if (!sounds && band.rests()) continue;
+    if (!sounds) std::fill_n(x, kChunk, dsp::Lanes{});
+    band.process(x, kChunk);
+    sounds = band.settle();
+    if (sounds) continue;
+    for (dsp::BiquadPair& each : equaliser_) each.reset();
+    ++dropped_;
+    return false;
+  }
+  return sounds;
+}
+
+bool Mixer::mix(const Buses& buses, const dsp::Ramp& gain, dsp::Lanes* x) noexcept {
+  const bool sounds = equalise(place(buses, x), x);
+  if (!sounds || gain.rests_at(0)) return false;
+  if (!gain.rests_at(1)) dsp::scale(gain, x, kChunk);
+  return true;
 }
 
 void Mixer::process(const Buses& buses, const dsp::Ramp& gain, float* out) noexcept {
-  double x[kMaxChannels][kChunk];
-  place(buses, x);
-  for (int c = 0; c < channels_; ++c) {
-    dsp::scale(gain, x[c], kChunk);
-    for (int e = 0; e < bands_; ++e) {
-      dsp::Biquad& band = equaliser_[static_cast<std::size_t>(c * bands_ + e)];
-      for (int n = 0; n < kChunk; ++n) x[c][n] = band.process(x[c][n]);
-      band.settle();
-    }
+  const dsp::Lanes* due = x_;
+  GainCurve curve;
+  if (ahead_) {
+    due = ahead_->process(mix(buses, gain, ahead_->input()));
+    curve = ahead_->gain();
+  } else {
+    if (!mix(buses, gain, x_)) std::fill_n(x_, kChunk, dsp::Lanes{});
+    limiter_.process(x_);
   }
-  limiter_.process(x);
-  for (int n = 0; n < kChunk; ++n)
-    for (int c = 0; c < channels_; ++c)
-      *out++ = std::clamp(static_cast<float>(x[c][n]), -ceiling_, ceiling_);  // rounding to float may pass it
+  if (due != nullptr)
+    output_.write(due, curve, out);
+  else
+    output_.write_silence(out);
+}
+
+double Mixer::lowest_gain() const noexcept {
+  return ahead_ ? ahead_->gain().lowest() : limiter_.lowest_gain();
 }
 
 }  // namespace rigsound::mix

@@ -34,7 +34,7 @@ double rod_length_of(const BoomOptions& boom, const SoundSet& sounds) noexcept {
 /// Towards `target`, and there once it is near; returns whether it moved.
 bool approach(double& value, double target, double remainder, double arrived) noexcept {
   if (value == target) return false;
-  value = target + (value - target) * remainder;
+  value = dsp::approached(value, target, remainder);
   if (std::fabs(value - target) < arrived) value = target;
   return true;
 }

@@ -40,9 +40,9 @@ void RigScene::set(const MachineState& state, int booms, int hammering) noexcept
 void RigScene::advance() noexcept {
   speed_age_s_ += chunk_s_;
   diesel_.rpm = speed_.at(speed_age_s_);
-  diesel_.load = load_ + (diesel_.load - load_) * load_smoothing_;
-  diesel_.feed = feed_ + (diesel_.feed - feed_) * load_smoothing_;
-  gain_.go_to(wanted_gain_ + (gain_.to - wanted_gain_) * gain_smoothing_);
+  diesel_.load = dsp::approached(diesel_.load, load_, load_smoothing_);
+  diesel_.feed = dsp::approached(diesel_.feed, feed_, load_smoothing_);
+  gain_.go_to(dsp::approached(gain_.to, wanted_gain_, gain_smoothing_));
   // An exponential never arrives; a muted rig has to be silent, not nearly so.
   if (wanted_gain_ == 0 && gain_.to < 1e-6) gain_.to = 0;
 }

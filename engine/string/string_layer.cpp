@@ -44,8 +44,8 @@ StringLayer::StringLayer(const StringModel& model, double sample_rate, std::uint
       impedance_(rod_impedance(model) * sample_rate),
       width_samples_(model.strike_width_s * sample_rate),
       contact_step_(kChunk / (kContactRamp_s * sample_rate)),
-      loading_share_(1 - dsp::one_pole_remainder(kLoading_s, kChunk, sample_rate)),
-      exposed_share_(1 - dsp::one_pole_remainder(kExposed_s, kChunk, sample_rate)),
+      loading_left_(dsp::one_pole_remainder(kLoading_s, kChunk, sample_rate)),
+      exposed_left_(dsp::one_pole_remainder(kExposed_s, kChunk, sample_rate)),
       fade_step_(1 / (kFade_s * sample_rate)),
       kernel_(string_kernel(width)),
       strikes_(strike_of(model), sample_rate, seed, boom),
@@ -100,11 +100,12 @@ void StringLayer::change_string(const StringInput& input) noexcept {
 
 void StringLayer::follow(const StringInput& input) noexcept {
   if (fade_ != Fade::kOut) {
-    const double wanted = std::min(input.exposed_m, model_.rod_length_m), left = wanted - exposed_m_;
-    exposed_m_ = std::fabs(left) < 1e-6 ? wanted : exposed_m_ + left * exposed_share_;
+    const double wanted = std::min(input.exposed_m, model_.rod_length_m);
+    exposed_m_ =
+        std::fabs(wanted - exposed_m_) < 1e-6 ? wanted : dsp::approached(exposed_m_, wanted, exposed_left_);
   }
   contact_ = dsp::step_towards(contact_, broken_ ? 0 : input.contact, contact_step_);
-  loading_samples_ += (impedance_ / input.rock_stiffness - loading_samples_) * loading_share_;
+  loading_samples_ = dsp::approached(loading_samples_, impedance_ / input.rock_stiffness, loading_left_);
   bending_.set(exposed_m_, contact_);
   string_.set_contact(contact_);
   string_.bit().set_loading(loading_samples_);
@@ -137,26 +138,36 @@ void StringLayer::rest_if_silent(bool struck, const double* out) noexcept {
   quiet_ = struck || std::fabs(out[kChunk - 1]) > kNearSilent ? 0 : quiet_ + 1;
   if (quiet_ < kQuietChunks) return;
   quiet_ = 0;
-  if (string_.energy() + bending_.energy() > kSilentEnergy) return;
+  if (string_.energy() + bending_.energy() <= kSilentEnergy) fall_asleep();
+}
+
+void StringLayer::fall_asleep() noexcept {
   string_.silence();
   bending_.silence();
   voice_.hp_x = voice_.hp_y = 0;
   asleep_ = true;
 }
 
-void StringLayer::process(const StringInput& input, const Impacts& impacts, double* out) noexcept {
+void StringLayer::reset() noexcept {
+  strikes_.reset();
+  fall_asleep();
+}
+
+bool StringLayer::process(const StringInput& input, const Impacts& impacts, double* out) noexcept {
   change_string(input);
   follow(input);
   const bool struck = strikes_.process(impacts, input.period, x_);
-  if (asleep_ && !struck && !snaps_) {
-    std::fill(out, out + kChunk, 0.0);
-  } else {
+  const bool sounds = !asleep_ || struck || snaps_;
+  if (sounds) {
     if (asleep_) string_.bit().silence(), bending_.retune();
     asleep_ = false;
     ring(struck, out);
     rest_if_silent(struck || snaps_, out);
+  } else {
+    std::fill(out, out + kChunk, 0.0);
   }
   if (fade_ != Fade::kNone) apply_fade(out);
+  return sounds;
 }
 
 }  // namespace rigsound::string

@@ -18,8 +18,10 @@ class StringLayer {
   StringLayer(const StringModel& model, double sample_rate, std::uint64_t seed, int boom,
               LaneWidth width = tool::widest_lanes());
 
-  /// The next kChunk samples, struck by `impacts`. Thread: RT.
-  void process(const StringInput& input, const Impacts& impacts, double* out) noexcept;
+  /// The next kChunk samples, struck by `impacts`; false: all of them are zero. Thread: RT.
+  bool process(const StringInput& input, const Impacts& impacts, double* out) noexcept;
+
+  void reset() noexcept;  ///< to silence. Thread: RT
 
  private:
   enum class Fade { kNone, kOut, kIn };
@@ -31,11 +33,12 @@ class StringLayer {
   void ring(bool struck, double* out) noexcept;
   void apply_fade(double* out) noexcept;
   void rest_if_silent(bool struck, const double* out) noexcept;
+  void fall_asleep() noexcept;
 
   StringModel model_;
-  double impedance_;                                                 ///< of the rod, times samples a second
-  double width_samples_;                                             ///< of a strike
-  double contact_step_, loading_share_, exposed_share_, fade_step_;  ///< a chunk, a chunk, a chunk, a sample
+  double impedance_;                                               ///< of the rod, times samples a second
+  double width_samples_;                                           ///< of a strike
+  double contact_step_, loading_left_, exposed_left_, fade_step_;  ///< a chunk, a chunk, a chunk, a sample
   StringKernel kernel_;
   tool::Strikes strikes_;
   LongitudinalString string_;

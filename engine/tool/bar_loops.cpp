@@ -111,10 +111,12 @@ void BarLoops::process(const BarDrive& drive, double* out) noexcept {
   asleep_ = false;
   make_room(state_, drive.frames);
   kernel_(state_, drive, out);
-  if (!drive.struck && std::fabs(out[drive.frames - 1]) < kNearSilent && energy(state_) < kSilent) {
-    silence(state_);
-    asleep_ = true;
-  }
+  if (!drive.struck && std::fabs(out[drive.frames - 1]) < kNearSilent && energy(state_) < kSilent) reset();
+}
+
+void BarLoops::reset() noexcept {
+  silence(state_);
+  asleep_ = true;
 }
 
 }  // namespace rigsound::tool

@@ -16,6 +16,8 @@ class BarLoops {
   /// drive.frames samples, mixed and high-passed, to `out`; exact zeros while asleep. Thread: RT.
   void process(const BarDrive& drive, double* out) noexcept;
 
+  void reset() noexcept;  ///< to silence. Thread: RT
+
   bool asleep() const noexcept { return asleep_; }
   const BarState& state() const noexcept { return state_; }
   BarState& state() noexcept { return state_; }

@@ -14,6 +14,8 @@ class Contact {
   /// k_T of kChunk samples. Thread: RT.
   void process(const Strikes& strikes, double* k_T) noexcept;
 
+  bool rests() const noexcept { return !falling_ && k_ == k_max_; }  ///< nothing touches the bar
+
  private:
   void advance(int from, int to, double* k_T) noexcept;
   int ramp(int from, int to, double target, double step, double* k_T) noexcept;

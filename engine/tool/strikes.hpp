@@ -26,6 +26,9 @@ class Strikes {
   /// samples; false: all of them are zero.
   bool process(const Impacts& impacts, double period, double* x) noexcept;
 
+  void reset() noexcept { count_ = touch_count_ = 0; }
+  bool rests() const noexcept { return count_ == 0; }  ///< no pulse is under way
+
   /// Of the last chunk, in rising order.
   const Touch* begin() const noexcept { return touches_.data(); }
   const Touch* end() const noexcept { return touches_.data() + touch_count_; }

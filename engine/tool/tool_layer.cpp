@@ -112,19 +112,36 @@ void ToolLayer::crossfade(double* out) noexcept {
 
 void ToolLayer::equalise(double* out) noexcept {
   for (dsp::Biquad& band : equaliser_) {
-    for (int n = 0; n < kChunk; ++n) out[n] = band.process(out[n]);
+    band.process(out, kChunk);
     band.settle();
   }
 }
 
-void ToolLayer::process(const ToolInput& input, const Impacts& impacts, double* out) noexcept {
+bool ToolLayer::rests() const noexcept {
+  const Steel& steel = steels_[ringing_];
+  return strikes_.rests() && fade_ == 0 && steel.loops.asleep() && steel.contact.rests() &&
+         std::all_of(equaliser_.begin(), equaliser_.end(), [](const dsp::Biquad& b) { return b.rests(); });
+}
+
+void ToolLayer::reset() noexcept {
+  strikes_.reset();
+  for (Steel& steel : steels_) steel.loops.reset();
+  for (dsp::Biquad& band : equaliser_) band.reset();
+}
+
+bool ToolLayer::process(const ToolInput& input, const Impacts& impacts, double* out) noexcept {
   follow_rods(input.rods);
   begin_fade();
   follow(input);
+  if (impacts.count == 0 && rests()) {
+    std::fill(out, out + kChunk, 0.0);
+    return false;
+  }
   strike(impacts, input.period);
   ring(steels_[ringing_], out);
   if (fade_ > 0) crossfade(out);
   equalise(out);
+  return true;
 }
 
 }  // namespace rigsound::tool

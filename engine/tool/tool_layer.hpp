@@ -23,8 +23,10 @@ class ToolLayer {
   ToolLayer(const ToolModel& model, double sample_rate, std::uint64_t seed, int boom,
             LaneWidth width = widest_lanes());
 
-  /// The next kChunk samples, struck by `impacts`. Thread: RT.
-  void process(const ToolInput& input, const Impacts& impacts, double* out) noexcept;
+  /// The next kChunk samples, struck by `impacts`; false: all of them are zero. Thread: RT.
+  bool process(const ToolInput& input, const Impacts& impacts, double* out) noexcept;
+
+  void reset() noexcept;  ///< to silence. Thread: RT
 
   /// Another steel (a rod changed, a worn bit): both ring through a crossfade of 20 ms. Called during one,
   /// it waits its turn; the last call wins. `design` must come from design_tool() at this layer's rate.
@@ -49,6 +51,7 @@ class ToolLayer {
   void ring(Steel& steel, double* out) noexcept;
   void crossfade(double* out) noexcept;
   void equalise(double* out) noexcept;
+  bool rests() const noexcept;
 
   ToolModel model_;
   double sample_rate_;

@@ -24,6 +24,7 @@ int rigsound_block(const rigsound_handle* rig) { return options(rig).block; }
 int rigsound_channels(const rigsound_handle* rig) { return options(rig).channels; }
 int rigsound_booms(const rigsound_handle* rig) { return static_cast<int>(options(rig).booms.size()); }
 uint64_t rigsound_seed(const rigsound_handle* rig) { return options(rig).seed; }
+int rigsound_latency(const rigsound_handle* rig) { return rigsound::lookahead_frames(options(rig)); }
 
 int rigsound_set(rigsound_handle* rig, const char* signal, int boom, double value) {
   return guarded(rig->error, [&] {

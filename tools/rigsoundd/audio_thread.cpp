@@ -102,6 +102,7 @@ void AudioThread::measure(std::uint64_t spent_ns) noexcept {
   const EngineMeters meters = engine_->meters();
   figures_.peak.store(meters.peak, std::memory_order_relaxed);
   figures_.lost_clicks.store(meters.lost_clicks, std::memory_order_relaxed);
+  figures_.dropped_chunks.store(meters.dropped_chunks, std::memory_order_relaxed);
   report_levels(meters);
 }
 

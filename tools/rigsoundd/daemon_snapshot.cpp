@@ -37,6 +37,7 @@ Snapshot Daemon::snapshot_with(const LevelWindow& levels) const {
   s.blocks = read(f.blocks);
   s.deadline_misses = read(f.deadline_misses);
   s.lost_clicks = read(f.lost_clicks);
+  s.dropped_chunks = read(f.dropped_chunks);
   s.lost_records = read(f.lost_records);
   s.block_s = loaded_.rig.audio.block / loaded_.rig.audio.rate;
   s.block_mean_s =

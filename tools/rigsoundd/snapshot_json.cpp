@@ -92,6 +92,7 @@ Json meters_json(const Snapshot& s) {
   json["limiter_db"] = decibels(s.limiter_gain);
   json["output_gain"] = s.output_gain;
   json["lost_clicks"] = s.lost_clicks;
+  json["dropped_chunks"] = s.dropped_chunks;
   json["diesel"] = level_json(s.diesel);
   return json;
 }

@@ -79,6 +79,9 @@ void add_audio(Page& page, const Snapshot& s) {
              "ratio");
   page.gauge("peak_since_scrape_ratio", s.output.peak, "Peak since the last scrape, full scale 1.", "ratio");
   page.gauge("rms_since_scrape_ratio", s.output.rms, "RMS since the last scrape, full scale 1.", "ratio");
+  page.counter("lost_clicks", s.lost_clicks, "Clicks that found every voice busy.");
+  page.counter("dropped_chunks", s.dropped_chunks,
+               "Chunks of 32 frames that a layer was left out of: what it made was no number.");
   page.gauge("output_gain_ratio", s.output_gain, "Safety rules, mute and fades together.", "ratio");
 }
 

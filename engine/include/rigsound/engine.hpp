@@ -17,6 +17,9 @@ struct EngineMeters {
   float rms = 0;
   float limiter_gain = 1;         ///< lowest of the last block, linear
   std::uint64_t lost_clicks = 0;  ///< clicks dropped because every voice was busy, since construction
+  /// Chunks of kChunk frames that one layer was left out of because it had made something that is no number;
+  /// since construction. It begins again from silence.
+  std::uint64_t dropped_chunks = 0;
 };
 
 class Engine {
@@ -28,8 +31,9 @@ class Engine {
   Engine(Engine&&) noexcept;
   Engine& operator=(Engine&&) noexcept;
 
-  /// One block. `out`: block x channels samples, interleaved, |sample| <= ceiling. `state` acts from the
-  /// first sample on. Never allocates, locks, throws or calls libm. Thread: RT.
+  /// One block. `out`: block x channels samples, interleaved; neither they nor what a true-peak meter (ITU-R
+  /// BS.1770-4) finds between them exceeds the ceiling. `state` acts from the first sample on, which is heard
+  /// lookahead_frames() later. Never allocates, locks, throws or calls libm. Thread: RT.
   void process(const MachineState& state, float* out) noexcept;
 
   EngineMeters meters() const noexcept;     ///< Thread: RT

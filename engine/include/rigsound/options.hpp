@@ -1,6 +1,8 @@
 // What an engine is built with. Ranges and units stand in the lists (rigsound/machine/fields.hpp).
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -84,7 +86,8 @@ void fields(Archive& a, EqualiserBand& o) {
 struct MixOptions {
   double drill_db = 0, tool_db = -12, diesel_db = 0;
   std::vector<EqualiserBand> equaliser;
-  double ceiling_dbfs = -1;  ///< no sample ever exceeds it
+  double ceiling_dbfs = -1;    ///< no sample and no true peak ever exceeds it
+  double lookahead_s = 0.002;  ///< of the limiter; 0: none, and it limits samples only
 };
 
 template <class Archive>
@@ -93,6 +96,7 @@ void fields(Archive& a, MixOptions& o) {
   a("tool_db", o.tool_db, kLayerGain);
   a("background_db", o.diesel_db, kLayerGain);
   a("ceiling_dbfs", o.ceiling_dbfs, Range{-60, 0, "dBFS"});
+  a("lookahead_s", o.lookahead_s, Range{0.002, 0.02, "s"}.or_zero());
   a("equaliser", o.equaliser);
 }
 
@@ -105,6 +109,13 @@ struct EngineOptions {
   SceneOptions scene;
   MixOptions mix;
 };
+
+/// How much later everything sounds so that the limiter can look ahead: whole chunks. Thread: any.
+inline int lookahead_frames(const EngineOptions& o) noexcept {
+  if (o.mix.lookahead_s == 0) return 0;
+  const double chunks = std::ceil(o.mix.lookahead_s * o.sample_rate / kChunk - 1e-9);
+  return kChunk * std::max(kLeastLookahead, static_cast<int>(chunks));
+}
 
 /// The seed apart, which may be chosen per run.
 template <class Archive>

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
@@ -90,6 +91,38 @@ TEST_CASE("a muted rig falls silent, fully, and comes back") {
   CHECK(run(1) == 0);
   state.output_gain = 1;
   CHECK(run(1) > 0.01f);
+}
+
+TEST_CASE("all that the limiter still holds has been heard before a paused rig stands still") {
+  EngineOptions options = tools::full_options();
+  options.mix.lookahead_s = 0.02;
+  options.mix.equaliser.push_back({40, 24, 20});  // rings for seconds
+  Engine engine(options, tools::formula_sounds());
+  std::vector<float> block(static_cast<std::size_t>(options.block * options.channels));
+  MachineState state = tools::drilled_hole(20);
+  for (int i = 0; i < 750; ++i) engine.process(state, block.data());
+  state.simulation = Simulation::kFreeze;
+  while (!engine.view().stands_still) engine.process(state, block.data());
+  for (int frames = 0; frames <= lookahead_frames(options); frames += options.block)
+    engine.process(state, block.data());
+  state.simulation = Simulation::kRun;
+  state.output_gain = 0;
+  for (int i = 0; i < 20; ++i) {
+    engine.process(state, block.data());
+    CHECK(engine.meters().peak == 0);
+  }
+}
+
+TEST_CASE("with look-ahead it sounds the same, later, while nothing is near the ceiling") {
+  EngineOptions options = tools::full_options();
+  options.mix.drill_db = options.mix.tool_db = options.mix.diesel_db = -30;
+  const auto ahead = render(options, 2, 64);
+  const auto later = static_cast<std::size_t>(lookahead_frames(options) * options.channels);
+  CHECK(later == 96 * 2);
+  options.mix.lookahead_s = 0;
+  const auto at_once = render(options, 2, 64);
+  CHECK(std::equal(ahead.begin() + static_cast<std::ptrdiff_t>(later), ahead.end(), at_once.begin()));
+  CHECK(*std::max_element(ahead.begin(), ahead.end()) > 0.001f);
 }
 
 TEST_CASE("the tool rings on the very sample of the click") {

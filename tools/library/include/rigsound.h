@@ -61,6 +61,10 @@ RIGSOUND_API int rigsound_channels(const rigsound_handle* rig);
 RIGSOUND_API int rigsound_booms(const rigsound_handle* rig);
 RIGSOUND_API uint64_t rigsound_seed(const rigsound_handle* rig);
 
+/** Frames by which all that rigsound_process gives is late, because the limiter looks ahead (`[mix]
+ * lookahead_ms`). Thread: any. */
+RIGSOUND_API int rigsound_latency(const rigsound_handle* rig);
+
 /** Sets a signal, such as "feed_pressure_bar", of a boom (0 is the first; signals of the whole rig take 0).
  * Acts from the next block on. Refused: an unknown name, a boom that is not there, a value outside the
  * signal's range. The value that means "absent" (README, signal table) takes a signal back. Thread: CT. */

@@ -22,6 +22,7 @@ class Sound {
   int channels() const { return ::rigsound_channels(rig_.get()); }
   int booms() const { return ::rigsound_booms(rig_.get()); }
   std::uint64_t seed() const { return ::rigsound_seed(rig_.get()); }
+  int latency() const { return ::rigsound_latency(rig_.get()); }  ///< frames
 
   /// Throws std::invalid_argument. Thread: CT.
   void set(const std::string& signal, double value, int boom = 0) {

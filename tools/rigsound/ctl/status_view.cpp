@@ -44,9 +44,9 @@ std::string level_line(const std::string& name, const Json& level) {
 std::string meter_lines(const Json& s) {
   const Json& m = s["meters"];
   return level_line("output", m) + level_line("diesel", m["diesel"]) +
-         fmt::format("limiter  {:.1f} dB, output gain {:.2f}, {} clicks lost\n",
+         fmt::format("limiter  {:.1f} dB, output gain {:.2f}, {} clicks lost, {} chunks dropped\n",
                      m["limiter_db"].get<double>(), m["output_gain"].get<double>(),
-                     m["lost_clicks"].get<std::uint64_t>());
+                     m["lost_clicks"].get<std::uint64_t>(), m["dropped_chunks"].get<std::uint64_t>());
 }
 
 std::string banks_line(const Json& boom) {

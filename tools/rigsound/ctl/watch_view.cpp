@@ -38,9 +38,11 @@ std::string head_line(const Json& s) {
 
 std::string meter_line(const Json& s) {
   const Json& m = s["meters"];
-  return fmt::format("output {} {:>6} peak {:>6} rms dBFS  limiter {:.1f} dB",
+  const std::uint64_t dropped = m["dropped_chunks"];
+  return fmt::format("output {} {:>6} peak {:>6} rms dBFS  limiter {:.1f} dB{}",
                      bar_of(m["peak_db"], kMeterWidth), db_text(m["peak_db"]), db_text(m["rms_db"]),
-                     m["limiter_db"].get<double>());
+                     m["limiter_db"].get<double>(),
+                     dropped > 0 ? fmt::format("  {} CHUNKS DROPPED", dropped) : "");
 }
 
 std::string bus_line(const Json& bus) {

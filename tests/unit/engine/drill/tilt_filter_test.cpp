@@ -20,7 +20,7 @@ namespace {
 std::vector<double> tilted(double db_per_octave, std::vector<double> x, double rate) {
   TiltFilter filter(rate);
   x.resize((x.size() + kChunk - 1) / kChunk * kChunk);
-  for (std::size_t n = 0; n < x.size(); n += kChunk) filter.process(db_per_octave, true, x.data() + n);
+  for (std::size_t n = 0; n < x.size(); n += kChunk) filter.process(db_per_octave, x.data() + n);
   return x;
 }
 
@@ -82,15 +82,16 @@ TEST_CASE("no tilt leaves every bit, and a tilt that went leaves silence") {
   double x[kChunk], same[kChunk];
   const dsp::RandomField random(1, 1);
   for (int n = 0; n < kChunk; ++n) x[n] = same[n] = random.normal(static_cast<std::uint64_t>(n), 0);
-  CHECK(filter.process(0, true, x));
+  filter.process(0, x);
   for (int n = 0; n < kChunk; ++n) CHECK(x[n] == same[n]);
-  CHECK(filter.process(-4, true, x));
-  bool sounds = true;
-  for (int chunk = 0; chunk < 400 && sounds; ++chunk) {
+  CHECK(filter.rests());
+  filter.process(-4, x);
+  CHECK_FALSE(filter.rests());
+  for (int chunk = 0; chunk < 400 && !filter.rests(); ++chunk) {
     std::fill(x, x + kChunk, 0.0);
-    sounds = filter.process(-4, false, x);
+    filter.process(-4, x);
   }
-  CHECK_FALSE(sounds);
+  CHECK(filter.rests());
   for (const double v : x) CHECK(std::fabs(v) < 1e-12);  // which the layer leaves out
 }
 

@@ -1,6 +1,7 @@
 // The recursive filter 1/A(z) of a linear prediction.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "rigsound/dsp/lanes.hpp"
@@ -22,6 +23,8 @@ class AllPole {
     if (order_ == 0) return;
     for (int n = 0; n < count; n += 2) process_pair(x + n);
   }
+
+  void reset() noexcept { std::fill(past_.begin(), past_.end(), 0.0); }
 
  private:
   /// Two samples share the loads of the past, and are stored as the one vector in which they are read again.

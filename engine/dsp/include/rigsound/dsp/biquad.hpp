@@ -1,6 +1,8 @@
 // A second-order section, transposed direct form II, in double.
 #pragma once
 
+#include "rigsound/dsp/lanes.hpp"
+
 namespace rigsound::dsp {
 
 struct BiquadCoefficients {
@@ -10,27 +12,45 @@ struct BiquadCoefficients {
 /// Peaking equaliser of R. Bristow-Johnson's cookbook; frequency in Hz below sample_rate / 2. Thread: OFF.
 BiquadCoefficients peaking(double frequency_hz, double gain_db, double q, double sample_rate);
 
-class Biquad {
+/// `Sample`: double, or Lanes for two channels side by side.
+template <class Sample>
+class BiquadOf {
  public:
-  Biquad() = default;
-  explicit Biquad(const BiquadCoefficients& c) noexcept : c_(c) {}
+  BiquadOf() = default;
+  explicit BiquadOf(const BiquadCoefficients& c) noexcept : c_(c) {}
 
-  double process(double x) noexcept {
-    const double y = c_.b0 * x + s1_;
+  Sample process(Sample x) noexcept {
+    const Sample y = c_.b0 * x + s1_;
     s1_ = (c_.b1 * x - c_.a1 * y) + s2_;
     s2_ = c_.b2 * x - c_.a2 * y;
     return y;
   }
 
-  /// Call once a chunk: what rings below -240 dB is dropped, so that silence ends in exact zeros and not in
-  /// denormal numbers.
-  void settle() noexcept {
-    if (s1_ * s1_ + s2_ * s2_ < 1e-24) s1_ = s2_ = 0;
+  /// `count` samples in place.
+  void process(Sample* x, int count) noexcept {
+    BiquadOf run = *this;  // its state stays in registers
+    for (int n = 0; n < count; ++n) x[n] = run.process(x[n]);
+    s1_ = run.s1_, s2_ = run.s2_;
   }
+
+  /// Call once a chunk: what rings below -240 dB is dropped, so that silence ends in exact zeros and not in
+  /// denormal numbers. False: it was no number, or so large that it would have been none; now it rests.
+  bool settle() noexcept {
+    const double energy = total(s1_ * s1_ + s2_ * s2_);
+    const bool sound = energy < 1e100;
+    if (!(energy >= 1e-24 && sound)) reset();
+    return sound;
+  }
+
+  void reset() noexcept { s1_ = s2_ = Sample{}; }
+  bool rests() const noexcept { return total(s1_ * s1_ + s2_ * s2_) == 0; }  ///< zeros give zeros
 
  private:
   BiquadCoefficients c_;
-  double s1_ = 0, s2_ = 0;
+  Sample s1_{}, s2_{};
 };
+
+using Biquad = BiquadOf<double>;
+using BiquadPair = BiquadOf<Lanes>;
 
 }  // namespace rigsound::dsp

@@ -29,6 +29,10 @@ class Butterworth6 {
     return x;
   }
 
+  void reset() noexcept {
+    for (Biquad& section : sections_) section.reset();
+  }
+
  private:
   std::array<Biquad, 3> sections_;
 };

@@ -2,6 +2,7 @@
 // machine.
 #pragma once
 
+#include <cstdint>
 #include <cstring>
 
 namespace rigsound::dsp {
@@ -21,6 +22,22 @@ inline Lanes load(const float* p) noexcept {
   std::memcpy(&v, p, sizeof v);
   return __builtin_convertvector(v, Lanes);
 }
+
+inline Lanes larger(Lanes a, Lanes b) noexcept { return a < b ? b : a; }
+
+/// |x|
+inline Lanes magnitude(Lanes x) noexcept {
+  using Bits = std::int64_t __attribute__((vector_size(16)));
+  Bits bits;
+  std::memcpy(&bits, &x, sizeof x);
+  bits &= std::int64_t{0x7fffffffffffffff};
+  std::memcpy(&x, &bits, sizeof x);
+  return x;
+}
+
+/// Lane 0 + lane 1; a number is its own. Thread: RT.
+inline double total(Lanes x) noexcept { return x[0] + x[1]; }
+inline double total(double x) noexcept { return x; }
 
 inline void store(double* p, Lanes v) noexcept { std::memcpy(p, &v, sizeof v); }
 

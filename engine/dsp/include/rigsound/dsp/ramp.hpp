@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "rigsound/dsp/elementary.hpp"
+#include "rigsound/dsp/lanes.hpp"
 
 namespace rigsound::dsp {
 
@@ -20,22 +21,31 @@ struct Ramp {
   bool rests_at(double value) const noexcept { return from == value && to == value; }
 };
 
-/// x[n] times the ramp. Thread: RT.
-inline void scale(const Ramp& ramp, double* x, int count) noexcept {
+/// x[n], numbers or Lanes, times the ramp. Thread: RT.
+template <class Sample>
+void scale(const Ramp& ramp, Sample* x, int count) noexcept {
   const double step = (ramp.to - ramp.from) / count;
   for (int n = 0; n < count; ++n) x[n] *= ramp.from + step * (n + 1);
 }
 
-/// y[n] += ramp times x[n]. Thread: RT.
+/// y[n] += ramp times x[n], `count` even. Thread: RT.
 inline void add_scaled(const Ramp& ramp, const double* x, double* y, int count) noexcept {
   const double step = (ramp.to - ramp.from) / count;
-  for (int n = 0; n < count; ++n) y[n] += (ramp.from + step * (n + 1)) * x[n];
+  Lanes place = {1, 2};
+  for (int n = 0; n < count; n += 2, place += 2.0)
+    store(y + n, load(y + n) + (ramp.from + step * place) * load(x + n));
 }
 
 /// The share of its way that a one-pole smoother of time constant `time_s` has still to go after `samples`:
 /// y = target + (y - target) * remainder. Thread: any.
 inline double one_pole_remainder(double time_s, double samples, double sample_rate) noexcept {
   return exp(-samples / (time_s * sample_rate));
+}
+
+/// One step of such a smoother. A value that is no number is at once where it shall go. Thread: RT.
+inline double approached(double value, double target, double remainder) noexcept {
+  const double next = target + (value - target) * remainder;
+  return next - next == 0 ? next : target;
 }
 
 /// `from`, moved towards `to` by `step` at most. Thread: RT.

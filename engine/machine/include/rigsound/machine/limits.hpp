@@ -13,6 +13,7 @@ constexpr int kMaxBlock = 8192;         ///< frames a block
 constexpr int kMaxChannels = 8;         ///< output channels
 constexpr int kMaxBooms = 4;            ///< drills on one rig
 constexpr int kMaxVoices = 64;          ///< clicks sounding at once, per boom and situation
+constexpr int kLeastLookahead = 3;        ///< chunks, of a limiter that looks ahead at all
 constexpr int kMaxImpacts = 16;         ///< impacts that may start in one chunk, per boom
 constexpr float kMaxSpeedSlope = 6000;  ///< r/min a second; no flywheel is faster
 constexpr double kMinSampleRate = 32000.0;
