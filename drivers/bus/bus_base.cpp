@@ -1,8 +1,6 @@
 #include "bus/bus_base.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <thread>
 
 #include "rigsound/monotonic_time.hpp"
 
@@ -52,7 +50,7 @@ void BusBase::warn(const std::string& kind, const std::string& text) {
 bool BusBase::may_open() const {
   const std::int64_t left_ms = backoff_.left_ms(monotonic_ms());
   if (left_ms == 0) return true;
-  std::this_thread::sleep_for(std::chrono::milliseconds(std::min<std::int64_t>(left_ms, kRound_ms)));
+  stop_event().wait(-1, 0, static_cast<int>(std::min<std::int64_t>(left_ms, kRound_ms)));
   return false;
 }
 

@@ -38,7 +38,7 @@ CanBus::CanBus(const CanOptions& options, BusListener& listener, CanTap* tap, st
 
 void CanBus::step() {
   if (!socket_) return open();
-  const int got = socket_->receive(batch_.data(), batch_.size(), kRound_ms);
+  const int got = socket_->receive(batch_.data(), batch_.size(), kRound_ms, stop_event());
   dropped_.store(dropped_before_ + socket_->dropped(), std::memory_order_relaxed);
   if (got > 0) return dispatch(batch_.data(), got);
   if (got < 0) lose(options_.interface + ": " + std::strerror(-got));
@@ -51,7 +51,7 @@ void CanBus::open() {
     bus_off_ = false;
     report_up();
   } catch (const DeviceError& error) {
-    port_->wait_for_change(static_cast<int>(open_failed(error.what())));
+    port_->wait_for_change(static_cast<int>(open_failed(error.what())), stop_event());
   }
 }
 

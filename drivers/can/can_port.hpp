@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "rigsound/bus/stop_event.hpp"
 #include "rigsound/can/frame.hpp"
 #include "rigsound/can/signal_layout.hpp"
 
@@ -23,9 +24,9 @@ struct CanSocketOptions {
 class CanSocket {
  public:
   virtual ~CanSocket() = default;
-  /// Waits for frames and fetches up to `capacity`. Returns how many, 0 when the time is up, or a
-  /// negative errno value.
-  virtual int receive(Arrival* out, std::size_t capacity, int timeout_ms) = 0;
+  /// Waits for frames and fetches up to `capacity`. Returns how many, 0 when the time is up or `stop` is set,
+  /// or a negative errno value.
+  virtual int receive(Arrival* out, std::size_t capacity, int timeout_ms, const StopEvent& stop) = 0;
   virtual std::uint64_t dropped() const = 0;  ///< by the kernel, on this socket
 };
 
@@ -34,8 +35,8 @@ class CanPort {
   virtual ~CanPort() = default;
   /// Throws DeviceError saying which interface it is and in what state.
   virtual std::unique_ptr<CanSocket> open(const CanSocketOptions& options) = 0;
-  /// Returns when a network link changed, at the latest after `timeout_ms`.
-  virtual void wait_for_change(int timeout_ms) = 0;
+  /// Returns when a network link changed or `stop` is set, at the latest after `timeout_ms`.
+  virtual void wait_for_change(int timeout_ms, const StopEvent& stop) = 0;
 };
 
 std::unique_ptr<CanPort> kernel_can_port();

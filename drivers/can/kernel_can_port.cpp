@@ -4,7 +4,6 @@
 #include <linux/netlink.h>
 #include <linux/rtnetlink.h>
 #include <net/if.h>
-#include <poll.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
 
@@ -84,10 +83,8 @@ class KernelCanSocket : public CanSocket {
     }
   }
 
-  int receive(Arrival* out, std::size_t capacity, int timeout_ms) override {
-    pollfd poll{fd_.get(), POLLIN, 0};
-    const int ready = ::poll(&poll, 1, timeout_ms);
-    if (ready <= 0) return ready == 0 || errno == EINTR ? 0 : -errno;
+  int receive(Arrival* out, std::size_t capacity, int timeout_ms, const StopEvent& stop) override {
+    if (!stop.wait(fd_.get(), POLLIN, timeout_ms)) return 0;
     const std::size_t count = std::min(capacity, kMessages);
     for (std::size_t i = 0; i < count; ++i) {
       messages_[i].msg_hdr.msg_control = control_[i].data();
@@ -134,9 +131,8 @@ class KernelCanPort : public CanPort {
 
   // Without netlink (a sandbox may forbid it) the pauses alone find the interface. A poll of fd -1 just
   // waits.
-  void wait_for_change(int timeout_ms) override {
-    pollfd poll{links_.get(), POLLIN, 0};
-    if (::poll(&poll, 1, timeout_ms) <= 0) return;
+  void wait_for_change(int timeout_ms, const StopEvent& stop) override {
+    if (!stop.wait(links_.get(), POLLIN, timeout_ms)) return;
     std::array<char, 8192> discarded{};
     while (::recv(links_.get(), discarded.data(), discarded.size(), MSG_DONTWAIT) > 0) {
     }

@@ -2,27 +2,17 @@
 
 #include <algorithm>
 
+#include "modbus/pdu.hpp"
 #include "modbus/request.hpp"
+#include "modbus/tcp_frame.hpp"
 
 namespace rigsound::log {
 namespace {
 
+using modbus::kMbap;
 using Frame = std::vector<std::uint8_t>;
 
-constexpr std::size_t kMbap = 7;
 constexpr std::size_t kMaxWaiting = 256;
-
-/// The values of the answer to a read of `count`: bits or registers after the byte count.
-bool take_values(const Frame& answer, modbus::Table table, int count, std::vector<std::uint16_t>& values) {
-  const bool bits = modbus::holds_bits(table);
-  const std::size_t bytes = bits ? (count + 7) / 8 : 2 * count;
-  if (answer.size() != kMbap + 2 + bytes || answer[kMbap + 1] != bytes) return false;
-  const std::uint8_t* data = answer.data() + kMbap + 2;
-  for (int i = 0; i < count; ++i)
-    values.push_back(
-        static_cast<std::uint16_t>(bits ? data[i / 8] >> (i % 8) & 1 : data[2 * i] << 8 | data[2 * i + 1]));
-  return true;
-}
 
 }  // namespace
 
@@ -54,7 +44,8 @@ Conversation::Answer Conversation::answer(const Frame& frame, std::vector<modbus
   }
   if (request.read) {
     modbus::Exchange read{unit, request.table, false, request.read->address, {}};
-    if (!take_values(frame, request.table, request.read->count, read.values)) return Answer::kUnpaired;
+    read.values.resize(request.read->count);
+    if (!modbus::take_read(frame.data() + kMbap, frame.size() - kMbap, read)) return Answer::kUnpaired;
     out.push_back(read);
   }
   for (const modbus::Exchange& exchange : out)

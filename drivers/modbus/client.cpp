@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cmath>
-#include <thread>
 
-#include "modbus/table_reader.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/monotonic_time.hpp"
 
@@ -25,14 +22,6 @@ std::vector<RegisterRoute> routes_of(const Line& line) {
   return all;
 }
 
-/// Waits up to one round; returns whether the time has come.
-bool wait_until(std::int64_t due_ms) {
-  const std::int64_t left_ms = due_ms - monotonic_ms();
-  if (left_ms <= 0) return true;
-  std::this_thread::sleep_for(std::chrono::milliseconds(std::min<std::int64_t>(left_ms, kRound_ms)));
-  return left_ms <= kRound_ms;
-}
-
 }  // namespace
 
 Client::Client(const Line& line, BusListener& listener, ModbusTap* tap)
@@ -43,7 +32,7 @@ Client::Client(const Line& line, BusListener& listener, ModbusTap* tap)
 
 void Client::step() {
   tell_silence();
-  if (!context_) {
+  if (!link_) {
     if (may_open()) connect();
     return;
   }
@@ -51,6 +40,13 @@ void Client::step() {
   if (!wait_until(units_[next].next_poll_ms)) return;
   last_ = next;
   poll(units_[next]);
+}
+
+/// Waits up to one round; returns whether the time has come.
+bool Client::wait_until(std::int64_t due_ms) const {
+  const std::int64_t left_ms = due_ms - monotonic_ms();
+  if (left_ms > 0) stop_event().wait(-1, 0, static_cast<int>(std::min<std::int64_t>(left_ms, kRound_ms)));
+  return left_ms <= kRound_ms && !stopped();
 }
 
 /// Those that are due in turn; when none is, the one that will be first.
@@ -67,13 +63,12 @@ std::size_t Client::next_unit(std::int64_t now_ms) const {
 bool Client::connect() {
   const ModbusOptions& options = units_.front().options;
   try {
-    context_ = make_context(options);
-    modbus::connect(context_.get(), options);
+    link_ = std::make_unique<ClientLink>(options, stop_event());
     answered_ = false;
     next_request_ms_ = monotonic_ms() + milliseconds(options.pause_s);
     return true;
   } catch (const DeviceError& error) {
-    context_.reset();
+    if (stopped()) return false;
     last_problem_ = error.what();
     open_failed(last_problem_);
     return false;
@@ -107,12 +102,13 @@ void Client::poll(Unit& unit) {
 Client::Outcome Client::ask(Unit& unit, const PollRequest& request) {
   Exchange answer;
   for (;;) {
-    if (!context_ && !connect()) return Outcome::kLost;
-    while (!wait_until(next_request_ms_)) continue;
-    const bool good = read_table(context_.get(), unit.options.unit, request, answer);
-    const int error = errno;
+    if (!link_ && !connect()) return Outcome::kLost;
+    while (!wait_until(next_request_ms_))
+      if (stopped()) return Outcome::kLost;
+    const int error = link_->read(unit.options.unit, request, answer);
+    if (stopped()) return Outcome::kLost;
     next_request_ms_ = monotonic_ms() + milliseconds(unit.options.pause_s);
-    if (good) {
+    if (error == 0) {
       take(unit, answer);
       return Outcome::kAnswered;
     }
@@ -134,7 +130,6 @@ Client::Outcome Client::after_error(Unit& unit, int error) {
   last_problem_ = of_unit(unit, modbus_strerror(error));
   const bool serial = unit.options.transport == Transport::kRtu;
   if (serial && (error == ETIMEDOUT || is_bad_frame(error))) {
-    modbus_flush(context_.get());
     if (!unit.delivers) report_problem(last_problem_);
     return Outcome::kSilent;
   }
@@ -147,7 +142,7 @@ Client::Outcome Client::after_error(Unit& unit, int error) {
 
 void Client::drop(int error) {
   last_problem_ = modbus_strerror(error);
-  context_.reset();
+  link_.reset();
   answered_ = false;
 }
 

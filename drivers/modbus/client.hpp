@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "modbus/context.hpp"
+#include "modbus/client_link.hpp"
 #include "modbus/modbus_bus.hpp"
 #include "modbus/poll_plan.hpp"
 
@@ -33,6 +34,7 @@ class Client final : public ModbusBus {
   enum class Outcome : std::uint8_t { kAnswered, kRefused, kSilent, kLost };
 
   std::size_t next_unit(std::int64_t now_ms) const;
+  bool wait_until(std::int64_t due_ms) const;
   bool connect();
   void poll(Unit& unit);
   Outcome ask(Unit& unit, const PollRequest& request);
@@ -45,7 +47,7 @@ class Client final : public ModbusBus {
 
   std::vector<Unit> units_;
   std::size_t last_ = 0;  // unit that was asked last
-  Context context_;
+  std::unique_ptr<ClientLink> link_;
   bool answered_ = false;  // since the connection was made
   bool up_ = false;
   std::int64_t next_request_ms_ = 0;

@@ -1,6 +1,5 @@
 #include "modbus/context.hpp"
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
 
@@ -8,7 +7,6 @@
 #include <cmath>
 
 #include "rigsound/device_error.hpp"
-#include "rigsound/socket/tcp_connector.hpp"
 
 namespace rigsound::modbus {
 namespace {
@@ -41,17 +39,6 @@ Context make_context(const ModbusOptions& o) {
                               static_cast<std::uint32_t>((o.timeout_s - whole) * 1e6));
   modbus_set_error_recovery(context.get(), MODBUS_ERROR_RECOVERY_NONE);
   return context;
-}
-
-void connect(modbus_t* context, const ModbusOptions& o) {
-  if (o.transport == Transport::kRtuTcp) {
-    const FileDescriptor connection = connect_tcp({o.host, o.port}, o.timeout_s);
-    modbus_set_socket(context, ::fcntl(connection.get(), F_DUPFD_CLOEXEC, 3));  // modbus_close() closes it
-    return;
-  }
-  if (modbus_connect(context) != 0)
-    throw DeviceError(std::string("cannot be reached: ") + modbus_strerror(errno));
-  modbus_flush(context);
 }
 
 }  // namespace rigsound::modbus

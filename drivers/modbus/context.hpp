@@ -24,7 +24,4 @@ inline bool is_exception(int error) { return error >= EMBXILFUN && error <= EMBX
 /// for ever. Throws DeviceError when libmodbus refuses the options.
 Context make_context(const ModbusOptions& options);
 
-/// As a client. What a serial line still holds of earlier answers is thrown away. Errors: DeviceError.
-void connect(modbus_t* context, const ModbusOptions& options);
-
 }  // namespace rigsound::modbus

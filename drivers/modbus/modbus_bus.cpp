@@ -29,6 +29,7 @@ std::vector<BusCounter> ModbusBus::counters() const {
           {"frames_bad", bad_frames},
           {"requests_refused", refused},
           {"rejected_connections", read(count_.rejected_connections)},
+          {"evicted_connections", read(count_.evicted_connections)},
           {"losses", read(count_.lost)}};
 }
 

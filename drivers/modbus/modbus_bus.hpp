@@ -28,7 +28,8 @@ class ModbusBus : public BusBase {
     std::atomic<std::uint64_t> refused{0};     // answered, or met, with an exception
     std::atomic<std::uint64_t> bad_frames{0};  // bytes that are no Modbus
     std::atomic<std::uint64_t> rejected_connections{0};
-    std::atomic<std::uint64_t> lost{0};  // client and RTU: times the other side went away
+    std::atomic<std::uint64_t> evicted_connections{0};  // to make room for the next
+    std::atomic<std::uint64_t> lost{0};                 // client and RTU: times the other side went away
   };
   Counts count_;
 

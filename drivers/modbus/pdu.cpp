@@ -32,8 +32,12 @@ Bytes head(const Exchange& e) {
   return out;
 }
 
+std::size_t bytes_of_values(const Exchange& e) {
+  return holds_bits(e.table) ? (e.values.size() + 7) / 8 : 2 * e.values.size();
+}
+
 void put_values(Bytes& out, const Exchange& e) {
-  const std::size_t bytes = holds_bits(e.table) ? (e.values.size() + 7) / 8 : 2 * e.values.size();
+  const std::size_t bytes = bytes_of_values(e);
   out.push_back(static_cast<std::uint8_t>(bytes));
   const std::size_t first = out.size();
   if (holds_bits(e.table)) out.resize(first + bytes);
@@ -58,6 +62,16 @@ Bytes answer_pdu(const Exchange& e) {
   Bytes out = {function(e)};
   put_values(out, e);
   return out;
+}
+
+bool take_read(const std::uint8_t* pdu, std::size_t size, Exchange& e) {
+  const std::size_t bytes = bytes_of_values(e);
+  if (size != 2 + bytes || pdu[1] != bytes) return false;
+  const std::uint8_t* const data = pdu + 2;
+  for (std::size_t i = 0; i < e.values.size(); ++i)
+    e.values[i] = static_cast<std::uint16_t>(holds_bits(e.table) ? data[i / 8] >> (i % 8) & 1
+                                                                 : data[2 * i] << 8 | data[2 * i + 1]);
+  return true;
 }
 
 }  // namespace rigsound::modbus

@@ -1,11 +1,10 @@
 #include "rigsound/modbus/probe.hpp"
 
-#include <cerrno>
 #include <chrono>
+#include <memory>
 #include <thread>
 
-#include "modbus/context.hpp"
-#include "modbus/table_reader.hpp"
+#include "modbus/client_link.hpp"
 
 namespace rigsound::modbus {
 namespace {
@@ -14,32 +13,31 @@ void pause(const ModbusOptions& options) {
   std::this_thread::sleep_for(std::chrono::duration<double>(options.pause_s));
 }
 
-Context connected(const ModbusOptions& options) {
-  Context context = make_context(options);
-  connect(context.get(), options);
-  pause(options);
-  return context;
-}
-
 }  // namespace
 
 std::vector<Probed> probe(const ModbusOptions& options) {
-  Context context = connected(options);
+  const StopEvent never;
+  std::unique_ptr<ClientLink> link;
+  const auto connect = [&] {
+    link.reset();  // a device may take one connection only
+    link = std::make_unique<ClientLink>(options, never);
+    pause(options);
+  };
+  connect();
   bool fresh = true;
   std::vector<Probed> found;
   for (const RegisterRoute& route : options.routes) {
     const PollRequest request{route.table, route.address, width(route)};
     Exchange answer;
-    bool good = read_table(context.get(), options.unit, request, answer);
-    if (!good && !is_exception(errno) && !fresh) {  // a device that closes after each answer
-      context = connected(options);
-      good = read_table(context.get(), options.unit, request, answer);
+    int error = link->read(options.unit, request, answer);
+    if (error != 0 && !is_exception(error) && !fresh) {  // a device that closes after each answer
+      connect();
+      error = link->read(options.unit, request, answer);
     }
-    const int error = errno;
-    if (!good && !is_exception(error)) context = connected(options);
-    fresh = !good && !is_exception(error);
-    found.push_back(
-        {good ? answer.values : std::vector<std::uint16_t>(), good ? "" : modbus_strerror(error)});
+    fresh = error != 0 && !is_exception(error);
+    if (fresh) connect();
+    found.push_back({error == 0 ? answer.values : std::vector<std::uint16_t>(),
+                     error == 0 ? "" : modbus_strerror(error)});
     pause(options);
   }
   return found;

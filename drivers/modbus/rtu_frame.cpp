@@ -64,6 +64,11 @@ std::uint16_t rtu_checksum(const std::uint8_t* bytes, std::size_t size) {
   return static_cast<std::uint16_t>(crc);
 }
 
+bool rtu_checksum_holds(const std::uint8_t* bytes, std::size_t size) {
+  if (size <= kRtuEnds) return false;
+  return rtu_checksum(bytes, size - 2) == (bytes[size - 2] | bytes[size - 1] << 8);
+}
+
 std::optional<std::size_t> rtu_frame_size(RtuSide side, const std::uint8_t* bytes, std::size_t size) {
   if (size < 2) return 0;
   const auto frame = side == RtuSide::kRequest ? request_size(bytes, size) : answer_size(bytes, size);

@@ -8,6 +8,7 @@
 #include <cerrno>
 
 #include "modbus/rtu_frame.hpp"
+#include "modbus/tcp_frame.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/monotonic_time.hpp"
 #include "rigsound/socket/tcp_listener.hpp"
@@ -15,9 +16,7 @@
 namespace rigsound::modbus {
 namespace {
 
-constexpr std::size_t kMbap = 7;  // transaction 2, protocol 2, length 2, unit 1
-
-std::size_t length_field(const std::uint8_t* frame) { return frame[4] << 8 | frame[5]; }
+constexpr int kMostAtOnce = 64;  // connections taken in one round: those that are there want to be served
 
 }  // namespace
 
@@ -31,22 +30,22 @@ void TcpServer::step() {
     if (may_open()) listen();
     return;
   }
-  std::vector<pollfd> polls = {{listening_.get(), POLLIN, 0}};
+  std::vector<pollfd> polls = {stop_event().to_poll(), {listening_.get(), POLLIN, 0}};
   for (const Connection& c : connections_) polls.push_back({c.fd.get(), POLLIN, 0});
   if (::poll(polls.data(), polls.size(), kRound_ms) < 0) return;
   for (std::size_t i = 0; i < connections_.size(); ++i)
-    if (polls[i + 1].revents != 0 && !serve(connections_[i])) connections_[i].fd.reset();
+    if (polls[i + 2].revents != 0 && !serve(connections_[i])) connections_[i].fd.reset();
   // A connection that wrote and closed within one round was a master all the same.
   note_masters();
   forget_closed();
   note_masters();
-  if (polls[0].revents != 0) accept_all();
+  if (polls[1].revents != 0) accept_all();
   open_.store(connections_.size(), std::memory_order_relaxed);
 }
 
 void TcpServer::listen() {
   try {
-    listening_ = listen_tcp({options().host, options().port});
+    listening_ = listen_tcp({options().host, options().port}, stop_event());
     report_up();
   } catch (const DeviceError& error) {
     const bool taken = errno == EADDRINUSE;
@@ -58,19 +57,19 @@ void TcpServer::listen() {
 }
 
 void TcpServer::accept_all() {
-  for (;;) {
+  for (int i = 0; i < kMostAtOnce; ++i) {
     sockaddr_storage peer{};
     socklen_t size = sizeof peer;
     FileDescriptor fd(
         ::accept4(listening_.get(), reinterpret_cast<sockaddr*>(&peer), &size, SOCK_NONBLOCK | SOCK_CLOEXEC));
     if (!fd) return;
-    const bool welcome = allowed(address_bytes(peer), options().allow);
-    if (!welcome || connections_.size() >= kMaxConnections) {
+    if (!allowed(address_bytes(peer), options().allow)) {
       count_.rejected_connections.fetch_add(1, std::memory_order_relaxed);
-      const char* const why = welcome ? "too many connections" : "not in an allowed network";
+      const char* const why = "not in an allowed network";
       warn(why, address_text(peer) + ": connection rejected: " + why);
       continue;
     }
+    make_room(address_text(peer));
     const int on = 1;
     ::setsockopt(fd.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
     Connection connection;
@@ -79,6 +78,18 @@ void TcpServer::accept_all() {
     connection.last_ms = monotonic_ms();
     connections_.push_back(std::move(connection));
   }
+}
+
+/// Who writes is the last to go.
+void TcpServer::make_room(const std::string& peer) {
+  const auto silent_longer = [](const Connection& a, const Connection& b) {
+    return a.wrote != b.wrote ? b.wrote : a.last_ms < b.last_ms;
+  };
+  const auto goes = who_makes_room(connections_, peer, kPlaces, silent_longer);
+  if (goes == connections_.end()) return;
+  count_.evicted_connections.fetch_add(1, std::memory_order_relaxed);
+  warn("too many connections", goes->peer + ": too many connections, the one silent longest was closed");
+  connections_.erase(goes);
 }
 
 /// Returns false when the connection is to be closed.
@@ -95,17 +106,12 @@ std::optional<TcpServer::Frame> TcpServer::first_frame(const Connection& c) cons
     const auto size = rtu_frame_size(RtuSide::kRequest, c.bytes.data(), c.filled);
     if (!size) return std::nullopt;
     if (*size == 0 || c.filled < *size) return Frame{};
-    const unsigned told = c.bytes[*size - 2] | c.bytes[*size - 1] << 8;
-    if (rtu_checksum(c.bytes.data(), *size - 2) != told) return std::nullopt;
+    if (!rtu_checksum_holds(c.bytes.data(), *size)) return std::nullopt;
     return Frame{*size, *size - kRtuEnds};
   }
-  if (c.filled < kMbap) return Frame{};
-  const std::size_t length = length_field(c.bytes.data());  // of unit and PDU
-  const bool modbus =
-      c.bytes[2] == 0 && c.bytes[3] == 0 && length >= 2 && length <= MODBUS_MAX_PDU_LENGTH + 1;
-  if (!modbus) return std::nullopt;
-  const std::size_t size = kMbap - 1 + length;
-  return c.filled < size ? Frame{} : Frame{size, size - kMbap};
+  const auto size = tcp_frame_size(c.bytes.data(), c.filled);
+  if (!size) return std::nullopt;
+  return *size == 0 || c.filled < *size ? Frame{} : Frame{*size, *size - kMbap};
 }
 
 bool TcpServer::answer_whole_frames(Connection& c) {

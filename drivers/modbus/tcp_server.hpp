@@ -1,4 +1,4 @@
-// Serves simulators that write to us: many connections, one thread, nobody can hold it up.
+// Serves simulators that write to us: many connections, one thread, nobody can hold it up or keep others out.
 #pragma once
 
 #include <array>
@@ -10,10 +10,11 @@
 #include "modbus/context.hpp"
 #include "modbus/modbus_server.hpp"
 #include "rigsound/file/file_descriptor.hpp"
+#include "rigsound/socket/places.hpp"
 
 namespace rigsound::modbus {
 
-constexpr int kMaxConnections = 32;
+constexpr Places kPlaces;
 constexpr std::int64_t kIdle_ms = 60'000;  ///< a connection without a request for so long is closed
 
 class TcpServer final : public ModbusServer {
@@ -43,6 +44,7 @@ class TcpServer final : public ModbusServer {
   void note_masters();
   void listen();
   void accept_all();
+  void make_room(const std::string& peer);
   bool serve(Connection& connection);
   bool answer_whole_frames(Connection& connection);
   void bad_frame(const Connection& connection, const char* what);

@@ -1,7 +1,5 @@
 #include "rigsound/socket/tcp_connector.hpp"
 
-#include <fcntl.h>
-#include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
@@ -9,20 +7,19 @@
 
 #include <cerrno>
 #include <cstring>
-#include <memory>
 #include <string>
 
 #include "rigsound/device_error.hpp"
+#include "socket/resolve.hpp"
 
 namespace rigsound {
 namespace {
 
 /// 0, or why not.
-int connect_within(int fd, const addrinfo& to, double timeout_s) {
+int connect_within(int fd, const addrinfo& to, double timeout_s, const StopEvent& stop) {
   if (::connect(fd, to.ai_addr, to.ai_addrlen) == 0) return 0;
   if (errno != EINPROGRESS) return errno;
-  pollfd poll{fd, POLLOUT, 0};
-  if (::poll(&poll, 1, static_cast<int>(timeout_s * 1e3)) != 1) return ETIMEDOUT;
+  if (!stop.wait(fd, POLLOUT, static_cast<int>(timeout_s * 1e3))) return ETIMEDOUT;
   int error = 0;
   socklen_t size = sizeof error;
   return ::getsockopt(fd, SOL_SOCKET, SO_ERROR, &error, &size) == 0 ? error : errno;
@@ -30,25 +27,18 @@ int connect_within(int fd, const addrinfo& to, double timeout_s) {
 
 }  // namespace
 
-FileDescriptor connect_tcp(const HostPort& where, double timeout_s) {
-  addrinfo hints{};
-  hints.ai_flags = AI_NUMERICSERV;
-  hints.ai_socktype = SOCK_STREAM;
-  addrinfo* found = nullptr;
-  const int unknown = ::getaddrinfo(where.host.c_str(), std::to_string(where.port).c_str(), &hints, &found);
-  if (unknown != 0) throw DeviceError(std::string("cannot be reached: ") + ::gai_strerror(unknown));
-  const std::unique_ptr<addrinfo, void (*)(addrinfo*)> owner(found, ::freeaddrinfo);
-  int why = 0;
-  for (const addrinfo* to = found; to != nullptr; to = to->ai_next) {
+FileDescriptor connect_tcp(const HostPort& where, double timeout_s, const StopEvent& stop) {
+  std::string problem;
+  const Addresses found = resolve(where, SOCK_STREAM, 0, stop, problem);
+  for (const addrinfo* to = found.get(); to != nullptr && !stop.is_set(); to = to->ai_next) {
     FileDescriptor fd(::socket(to->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
-    why = fd ? connect_within(fd.get(), *to, timeout_s) : errno;
-    if (why != 0) continue;
+    const int why = fd ? connect_within(fd.get(), *to, timeout_s, stop) : errno;
     const int on = 1;
-    ::setsockopt(fd.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-    ::fcntl(fd.get(), F_SETFL, ::fcntl(fd.get(), F_GETFL) & ~O_NONBLOCK);
-    return fd;
+    if (why == 0) ::setsockopt(fd.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+    if (why == 0) return fd;
+    problem = std::strerror(why);
   }
-  throw DeviceError(std::string("cannot be reached: ") + std::strerror(why));
+  throw DeviceError("cannot be reached: " + problem);
 }
 
 }  // namespace rigsound

@@ -1,30 +1,27 @@
 #include "rigsound/socket/tcp_listener.hpp"
 
-#include <netdb.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 
 #include <cerrno>
 #include <cstring>
-#include <memory>
 #include <string>
 
 #include "rigsound/device_error.hpp"
+#include "socket/resolve.hpp"
 
 namespace rigsound {
 
 namespace {
 
 /// A socket of `type` that is bound.
-FileDescriptor bound(const HostPort& where, int type) {
-  const auto fail = [&](const char* why) { return DeviceError(text_of(where) + ": cannot listen: " + why); };
-  addrinfo hints{};
-  hints.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
-  hints.ai_socktype = type;
-  addrinfo* found = nullptr;
-  const int error = ::getaddrinfo(where.host.c_str(), std::to_string(where.port).c_str(), &hints, &found);
-  if (error != 0) throw fail(::gai_strerror(error));
-  const std::unique_ptr<addrinfo, void (*)(addrinfo*)> owner(found, ::freeaddrinfo);
+FileDescriptor bound(const HostPort& where, int type, const StopEvent& stop) {
+  const auto fail = [&](const std::string& why) {
+    return DeviceError(text_of(where) + ": cannot listen: " + why);
+  };
+  std::string problem;
+  const Addresses found = resolve(where, type, AI_PASSIVE, stop, problem);
+  if (found == nullptr) throw fail(problem);
   FileDescriptor fd(::socket(found->ai_family, type | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   const int on = 1;
   if (fd && type == SOCK_STREAM) ::setsockopt(fd.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
@@ -36,8 +33,12 @@ FileDescriptor bound(const HostPort& where, int type) {
 
 }  // namespace
 
-FileDescriptor listen_tcp(const HostPort& where) { return bound(where, SOCK_STREAM); }
-FileDescriptor listen_udp(const HostPort& where) { return bound(where, SOCK_DGRAM); }
+FileDescriptor listen_tcp(const HostPort& where, const StopEvent& stop) {
+  return bound(where, SOCK_STREAM, stop);
+}
+FileDescriptor listen_udp(const HostPort& where, const StopEvent& stop) {
+  return bound(where, SOCK_DGRAM, stop);
+}
 
 int bound_port(const FileDescriptor& socket) {
   sockaddr_storage address{};

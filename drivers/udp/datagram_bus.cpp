@@ -1,7 +1,6 @@
 #include "udp/datagram_bus.hpp"
 
 #include <netinet/in.h>
-#include <poll.h>
 
 #include <cmath>
 #include <utility>
@@ -40,8 +39,7 @@ void DatagramBus::step() {
     if (may_open()) listen();
     return;
   }
-  pollfd poll{socket_.get(), POLLIN, 0};
-  const bool some = ::poll(&poll, 1, static_cast<int>(std::ceil(wait_s_ * 1e3))) > 0;
+  const bool some = stop_event().wait(socket_.get(), POLLIN, static_cast<int>(std::ceil(wait_s_ * 1e3)));
   readings_.clear();
   if (some) receive();
   wait_s_ = after_round();
@@ -50,7 +48,7 @@ void DatagramBus::step() {
 
 void DatagramBus::listen() {
   try {
-    socket_ = listen_udp({port_.host, port_.port});
+    socket_ = listen_udp({port_.host, port_.port}, stop_event());
     const int on = 1;
     ::setsockopt(socket_.get(), SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof on);
     ::setsockopt(socket_.get(), SOL_SOCKET, SO_RXQ_OVFL, &on, sizeof on);

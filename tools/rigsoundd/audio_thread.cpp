@@ -117,10 +117,4 @@ void AudioThread::report_levels(const EngineMeters& meters) noexcept {
   report_.write(next_report_);
 }
 
-void AudioThread::replace_engine(std::unique_ptr<Engine> engine) {
-  next_engine_.offer(std::move(engine));
-  while (!next_engine_.collect() && thread_.joinable())
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-}
-
 }  // namespace rigsound::daemon

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "audio_figures.hpp"
@@ -31,8 +32,10 @@ class AudioThread {
   void start();  ///< Thread: CT
   void stop();   ///< Thread: CT
 
-  /// Returns when the new engine plays, and destroys the old one. Thread: CT
-  void replace_engine(std::unique_ptr<Engine> engine);
+  /// Plays from the next block on. Thread: CT
+  void offer_engine(std::unique_ptr<Engine> engine) { next_engine_.offer(std::move(engine)); }
+  /// True once it plays; the old one is destroyed. Thread: CT
+  bool engine_taken() { return next_engine_.collect() != nullptr; }
 
   const AudioFigures& figures() const { return figures_; }  ///< Thread: any
   /// The state the engine was last told. Thread: CT, one at a time

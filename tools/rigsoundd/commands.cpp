@@ -13,12 +13,6 @@
 namespace rigsound::daemon {
 namespace {
 
-Json reload(DaemonControl& daemon) {
-  const ReloadResult result = daemon.reload();
-  if (!result.error.empty()) throw Refused(result.error);
-  return {{"ok", true}, {"not_applied", result.not_applied}};
-}
-
 Json mute(const Json& request, DaemonControl& daemon) {
   const bool muted = request.value("on", !daemon.snapshot().muted);
   daemon.set_muted(muted);
@@ -48,16 +42,17 @@ constexpr std::array<std::string_view, 8> kCommands = {"status", "metrics", "set
                     : fmt::format("\"{}\": unknown command, did you mean {}?", command, near));
 }
 
-Json answer_json(const Json& request, DaemonControl& daemon, std::optional<Subscription>& subscription) {
+/// Null: later.
+Json answer_json(const Json& request, DaemonControl& daemon, ClientState& client) {
   const std::string command = request.value("command", "");
   if (command == "status") return status_json(daemon.snapshot());
   if (command == "metrics") return metrics(daemon);
   if (command == "set") return set_value(request, daemon);
   if (command == "release") return release_value(request, daemon);
-  if (command == "reload") return reload(daemon);
+  if (command == "reload") return client.reload = daemon.ask_reload(), nullptr;
   if (command == "mute") return mute(request, daemon);
-  if (command == "subscribe") return subscribe(request, subscription);
-  if (command == "unsubscribe") return unsubscribe(subscription);
+  if (command == "subscribe") return subscribe(request, client.subscription);
+  if (command == "unsubscribe") return unsubscribe(client.subscription);
   refuse_command(command);
 }
 
@@ -65,19 +60,27 @@ std::string line_of(const Json& answer) {
   return answer.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+std::string refusal_line(const std::string& error) { return line_of({{"ok", false}, {"error", error}}); }
+
 }  // namespace
 
-std::string answer(const std::string& request, DaemonControl& daemon,
-                   std::optional<Subscription>& subscription) {
-  std::string error;
+std::string answer(const std::string& request, DaemonControl& daemon, ClientState& client) {
   try {
-    return line_of(answer_json(Json::parse(request), daemon, subscription));
+    const Json json = answer_json(Json::parse(request), daemon, client);
+    return json.is_null() ? "" : line_of(json);
   } catch (const nlohmann::json::exception&) {
-    error = "expected one JSON object a line, like {\"command\": \"status\"}";
+    return refusal_line("expected one JSON object a line, like {\"command\": \"status\"}");
   } catch (const std::exception& refused) {
-    error = refused.what();
+    return refusal_line(refused.what());
   }
-  return line_of({{"ok", false}, {"error", error}});
+}
+
+std::string late_answer(const DaemonControl& daemon, ClientState& client) {
+  const ReloadResult* const result = client.reload ? daemon.reload_result(*client.reload) : nullptr;
+  if (result == nullptr) return {};
+  client.reload.reset();
+  if (!result->error.empty()) return refusal_line(result->error);
+  return line_of({{"ok", true}, {"not_applied", result->not_applied}});
 }
 
 }  // namespace rigsound::daemon

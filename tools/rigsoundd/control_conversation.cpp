@@ -25,16 +25,16 @@ std::string ControlConversation::answer(const std::string& request) {
                      : "{\"ok\":false,\"error\":\"expected {\\\"token\\\": TOKEN} first, with that of the "
                        "token_file\"}\n";
   }
-  return daemon::answer(request, daemon_, subscription_);
+  return daemon::answer(request, daemon_, client_);
 }
 
 std::string ControlConversation::news(double now_s) {
-  if (!subscription_ || !subscription_->due(now_s)) return {};
-  return subscription_->line(status_json(daemon_.snapshot()), now_s);
+  if (!client_.subscription || !client_.subscription->due(now_s)) return {};
+  return client_.subscription->line(status_json(daemon_.snapshot()), now_s);
 }
 
 void ControlConversation::news_not_taken(double now_s) {
-  if (subscription_ && subscription_->due(now_s)) subscription_->miss(now_s);
+  if (client_.subscription && client_.subscription->due(now_s)) client_.subscription->miss(now_s);
 }
 
 }  // namespace rigsound::daemon

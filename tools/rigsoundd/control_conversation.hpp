@@ -1,13 +1,11 @@
 // A client of the control socket: requests and answers, and what it has subscribed to.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <utility>
 
 #include "commands.hpp"
 #include "line_server.hpp"
-#include "subscription.hpp"
 
 namespace rigsound::daemon {
 
@@ -20,8 +18,10 @@ class ControlConversation : public Conversation {
       : daemon_(daemon), token_(std::move(token)), admitted_(token_.empty()) {}
 
   std::string answer(const std::string& request) override;
+  std::string late_answer() override { return daemon::late_answer(daemon_, client_); }
   std::string news(double now_s) override;
   void news_not_taken(double now_s) override;
+  bool wants_news() const override { return client_.subscription.has_value(); }
   bool over() const override { return turned_away_; }
 
  private:
@@ -30,7 +30,7 @@ class ControlConversation : public Conversation {
   DaemonControl& daemon_;
   std::string token_;
   bool admitted_, turned_away_ = false;
-  std::optional<Subscription> subscription_;
+  ClientState client_;
 };
 
 }  // namespace rigsound::daemon

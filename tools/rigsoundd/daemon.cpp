@@ -5,31 +5,24 @@
 #include <sys/signalfd.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <csignal>
-#include <exception>
-#include <map>
 #include <utility>
 
 #include "control_conversation.hpp"
 #include "control_socket.hpp"
 #include "log.hpp"
 #include "metrics_page.hpp"
-#include "rigsound/can/can_bus.hpp"
-#include "rigsound/config/bus_text.hpp"
 #include "rigsound/device_error.hpp"
-#include "rigsound/modbus/modbus_bus.hpp"
 #include "rigsound/monotonic_time.hpp"
 #include "rigsound/socket/tcp_listener.hpp"
-#include "rigsound/udp/udp_bus.hpp"
 
 namespace rigsound::daemon {
 namespace {
 
-constexpr double kPoll_s = 0.1;
-constexpr double kSwapFade_s = 0.03;  // around a new engine
-constexpr double kMuteFade_s = 0.1, kLastFade_s = 0.3;
-constexpr double kLongestRingOut_s = 1;
+constexpr double kPoll_s = 0.1, kStep_s = 0.005;
+constexpr double kMuteFade_s = 0.1;
+constexpr double kLastFade_s = 0.25, kRingOut_s = 0.1;  // the end is there within half a second
+constexpr double kControlIdle_s = 3600, kMetricsIdle_s = 10;
 
 std::unique_ptr<audio::Sink> make_sink(const audio::AudioOptions& options, audio::Clock& clock,
                                        audio::SoundCard*& card) {
@@ -40,12 +33,6 @@ std::unique_ptr<audio::Sink> make_sink(const audio::AudioOptions& options, audio
 }
 
 void sleep_s(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
-
-/// A bus of the rig, told as `text`.
-struct FeedPlan {
-  std::string text;
-  Feed::MakeBus make;
-};
 
 }  // namespace
 
@@ -58,7 +45,7 @@ Daemon::Daemon(const DaemonOptions& options)
       recorder_(options.session, audio_.records(), audio_.figures()),
       start_s_(monotonic_s()) {
   open_sockets();
-  start_feeds({});
+  start_feeds();
   recorder_.expect_run(session_header());
   audio_.start();
   log_info("audio thread: " + audio_.scheduling());
@@ -80,78 +67,55 @@ void Daemon::open_sockets() {
   };
   if (!control.socket.empty())
     servers_.emplace_back(listen_unix(control.socket, access_of(loaded_.rig)),
-                          LineServer::Protocol{"\n", talk("")});
+                          LineServer::Protocol{"\n", kControlIdle_s, talk("")});
   if (!control.tcp.empty())
-    servers_.emplace_back(listen_tcp(*parse_host_port(control.tcp)),
-                          LineServer::Protocol{"\n", talk(config::control_token(loaded_.rig))});
-  if (!control.metrics.empty())
     servers_.emplace_back(
-        listen_tcp(*parse_host_port(control.metrics)),
-        LineServer::Protocol{"\r\n\r\n", [&self] { return std::make_unique<MetricsPage>(self); }});
+        listen_tcp(*parse_host_port(control.tcp)),
+        LineServer::Protocol{"\n", kControlIdle_s, talk(config::control_token(loaded_.rig))});
+  if (!control.metrics.empty())
+    servers_.emplace_back(listen_tcp(*parse_host_port(control.metrics)),
+                          LineServer::Protocol{"\r\n\r\n", kMetricsIdle_s,
+                                               [&self] { return std::make_unique<MetricsPage>(self); }});
 }
 
-void Daemon::start_feeds(std::vector<std::unique_ptr<Feed>> kept) {
-  std::vector<FeedPlan> plans;
-  const auto plan = [&](const auto& bus) {
-    plans.push_back(
-        {config::bus_text(bus), [bus](BusListener& listener) { return make_bus(bus, listener); }});
-  };
-  for (const can::CanOptions& bus : loaded_.rig.can) plan(bus);
-  for (const modbus::Line& line : modbus::lines(loaded_.rig.modbus)) plan(line);
-  for (const udp::UdpOptions& input : loaded_.rig.udp) plan(input);
-  if (const osc::OscOptions& osc = loaded_.rig.osc; !osc.address.empty())
-    plans.push_back({config::bus_text(osc),
-                     [this, osc](BusListener& listener) { return osc::make_bus(osc, listener, *this); }});
-
-  std::map<std::string, std::unique_ptr<Feed>> same;
-  for (std::unique_ptr<Feed>& feed : kept)
-    if (std::any_of(plans.begin(), plans.end(),
-                    [&](const FeedPlan& p) { return p.text == feed->bus_text(); }))
-      same[feed->bus_text()] = std::move(feed);
-  kept.clear();  // before others take their ports
-  for (FeedPlan& p : plans) {
-    std::unique_ptr<Feed>& old = same[p.text];
-    feeds_.push_back(old != nullptr ? std::move(old)
-                                    : std::make_unique<Feed>(p.make, exchange_, std::move(p.text)));
-  }
-  osc_output_.emplace(loaded_.rig.osc);
-}
-
-void Daemon::run(int signals) {
+bool Daemon::run(int signals) {
   service_.ready();
   std::vector<pollfd> polls;
   for (bool busy = false; !stop_;) {
-    polls.assign(1, pollfd{signals, POLLIN, 0});
+    polls.assign({pollfd{signals, POLLIN, 0}, loader_.to_poll()});
     for (const LineServer& server : servers_) server.add_polls(polls);
-    ::poll(polls.data(), polls.size(), busy ? 0 : static_cast<int>(kPoll_s * 1e3));
+    ::poll(polls.data(), polls.size(),
+           busy ? 0 : static_cast<int>((change_.moves() ? kStep_s : kPoll_s) * 1e3));
     handle_signals(signals);
+    advance_change(monotonic_s());
     busy = false;
     for (LineServer& server : servers_) busy = server.serve() || busy;
     if (monotonic_s() >= next_poll_s_) poll();
   }
   service_.stopping();
-  fade_to_silence(kLastFade_s);
-  const audio::AudioOptions& audio = loaded_.rig.audio;
-  sleep_s((audio.periods + 1) * audio.block / audio.rate);  // the card plays what it has
+  for (const auto& feed : feeds_) feed->stop();
+  fade_out();
   audio_.stop();
   recorder_.finish();
   log_info(fmt::format("stopped after {} blocks", audio_.figures().blocks.load()));
+  return !loader_.busy();
 }
 
 // The engine smooths every gain: it is silent a little after the gate is shut.
-void Daemon::fade_to_silence(double fade_s) {
-  exchange_.set_gate(0, fade_s);
-  sleep_s(fade_s);
-  for (double waited_s = 0; waited_s < kLongestRingOut_s && audio_.figures().peak.load() > 0;
-       waited_s += 0.005)
-    sleep_s(0.005);
+void Daemon::fade_out() {
+  exchange_.set_gate(0, kLastFade_s);
+  sleep_s(kLastFade_s);
+  for (double waited_s = 0; waited_s < kRingOut_s && audio_.figures().peak.load() > 0; waited_s += kStep_s)
+    sleep_s(kStep_s);
+  const audio::AudioOptions& audio = loaded_.rig.audio;
+  sleep_s((audio.periods + 1) * audio.block / audio.rate);  // the card plays what it has
 }
 
 void Daemon::handle_signals(int signals) {
   signalfd_siginfo info{};
   while (::read(signals, &info, sizeof info) == sizeof info) {
     if (info.ssi_signo == SIGHUP)
-      reload();
+      ask_reload();
     else
       stop_ = true;
   }
@@ -166,67 +130,19 @@ void Daemon::poll() {
   levels_.take(audio_.report().closed);
   audio_.close_window(levels_.taken() + 1);
   for (LineServer& server : servers_) server.tell_news(now_s);
-  if (osc_output_->due(now_s)) osc_output_->send(snapshot(), now_s);
+  if (loaded_.osc_output.due(now_s)) loaded_.osc_output.send(snapshot(), now_s);
   service_.watch(audio_.figures().blocks.load(std::memory_order_relaxed), now_s);
 }
 
 void Daemon::poll_session(double now_s) {
   recorder_.poll(now_s);
   if (audio_.figures().peak.load(std::memory_order_relaxed) > 0) silent_since_s_ = now_s;
+  if (change_.step != Change::Step::kNone) return;
   const bool other_card = recorder_.recording() && recorder_.header().format != session_header().format;
   if (!other_card && !recorder_.wants_new_run(now_s - silent_since_s_)) return;
   log_info(fmt::format("session: {} {}, the next one begins", recorder_.file().string(),
                        other_card ? "was begun for another sample format" : "is full"));
-  try {
-    new_run(build(loaded_.rig));
-  } catch (const std::exception& error) {
-    recorder_.give_up(std::string("no new session, the sound set can no longer be played: ") + error.what());
-  }
-}
-
-bool Daemon::plays_the_same(const LoadedRig& next) const {
-  return next.fingerprint == loaded_.fingerprint && next.rig.engine.seed == loaded_.rig.engine.seed;
-}
-
-/// The old engine's end must not be heard, nor the new one's start: both are silent where they meet.
-void Daemon::new_run(LoadedRig next) {
-  fade_to_silence(kSwapFade_s);
-  recorder_.poll(monotonic_s());
-  std::unique_ptr<Engine> engine = std::move(next.engine);
-  loaded_ = std::move(next);
-  recorder_.expect_run(session_header());
-  audio_.replace_engine(std::move(engine));
-  exchange_.set_gate(1, kSwapFade_s);
-}
-
-/// All of the rig but its engine: the running one plays the same and goes on.
-void Daemon::take_settings(LoadedRig next) {
-  next.engine.reset();
-  loaded_ = std::move(next);
-}
-
-ReloadResult Daemon::reload() {
-  ReloadResult result;
-  service_.reloading();
-  try {
-    LoadedRig next = load_for_reload(loaded_.rig, buses_, result.not_applied);
-    exchange_.set_safety(next.rig.safety);
-    if (plays_the_same(next) && recorder_.problem().empty())
-      take_settings(std::move(next));
-    else
-      new_run(std::move(next));
-    start_feeds(std::exchange(feeds_, {}));
-    ++reloads_;
-    log_info("reloaded " + loaded_.rig.file.string());
-    for (const std::string& key : result.not_applied) log_warning("reload: needs a restart: " + key);
-  } catch (const std::exception& error) {
-    ++failed_reloads_;
-    result.error = error.what();
-    result.not_applied.clear();
-    log_error(std::string("reload refused, the old rig goes on: ") + error.what());
-  }
-  service_.ready();
-  return result;
+  begin_new_run();
 }
 
 void Daemon::set_muted(bool muted) {

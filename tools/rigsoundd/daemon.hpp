@@ -1,11 +1,9 @@
 // The whole daemon: threads, sound, buses, sessions, control.
 #pragma once
 
-#include <atomic>
+#include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "audio_thread.hpp"
@@ -14,8 +12,8 @@
 #include "levels.hpp"
 #include "line_server.hpp"
 #include "loaded_rig.hpp"
-#include "osc_output.hpp"
 #include "recorder.hpp"
+#include "rig_loader.hpp"
 #include "rigsound/audio/null_sink.hpp"
 #include "rigsound/audio/sound_card.hpp"
 #include "rigsound/osc/osc_bus.hpp"
@@ -37,13 +35,17 @@ class Daemon : private DaemonControl, private osc::ControlListener {
   explicit Daemon(const DaemonOptions& options);
   ~Daemon() override;
 
-  /// Until SIGTERM or SIGINT, read from `signals` (a signalfd); then the sound fades out.
-  void run(int signals);
+  /// Until SIGTERM or SIGINT, read from `signals` (a signalfd); then the sound fades out. False: a rig was
+  /// still being read, by a thread that ends with the process only.
+  bool run(int signals);
 
  private:
   Snapshot snapshot() const override;
   Snapshot scrape() override;
-  ReloadResult reload() override;
+  std::uint64_t ask_reload() override { return reload_queue_.ask(); }
+  const ReloadResult* reload_result(std::uint64_t number) const override {
+    return reload_queue_.result(number);
+  }
   void set_muted(bool muted) override;
   std::vector<std::string> boom_names() const override;
   DrillControls controls(int boom) const override { return exchange_.controls(boom); }
@@ -59,17 +61,47 @@ class Daemon : private DaemonControl, private osc::ControlListener {
   }
   void mute(bool on) override;
 
+  /// A bus of the rig, told as `text`.
+  struct FeedPlan {
+    std::string text;
+    Feed::MakeBus make;
+  };
+
+  /// From a rig to be read to one in force.
+  struct Change {
+    enum class Step : std::uint8_t {
+      kNone,
+      kReading,
+      kFading,    ///< the old engine out
+      kSwapping,  ///< engines
+      kLeaving,   ///< buses that are no more
+    };
+    Step step = Step::kNone;
+    bool reload = false;  ///< else only a new run of the rig as it is
+    std::vector<std::string> not_applied;
+    double silent_from_s = 0;  ///< kFading: the gate is shut
+
+    bool moves() const { return step > Step::kReading; }
+  };
+
+  void begin_reload();
+  void begin_new_run();
+  void advance_change(double now_s);
+  void take_step(double now_s);
+  void take_read_rig(double now_s);
+  void swap_when_silent(double now_s);
+  std::vector<FeedPlan> feed_plans();
+  void leave_feeds();
+  void start_feeds();
+  void end_change(const std::string& error);
+
   void open_sockets();
-  /// Feeds for the buses of loaded_; those of `kept` that are told the same go on as they are.
-  void start_feeds(std::vector<std::unique_ptr<Feed>> kept);
   void poll();
   void poll_session(double now_s);
   void report_card();
   void handle_signals(int signals);
   bool plays_the_same(const LoadedRig& next) const;  ///< as the running engine
-  void take_settings(LoadedRig next);
-  void new_run(LoadedRig next);
-  void fade_to_silence(double fade_s);
+  void fade_out();
   session::SessionHeader session_header() const;
   audio::CardStatus card() const;
   std::vector<SignalSnapshot> signal_snapshots(const MachineState& heard) const;
@@ -86,9 +118,12 @@ class Daemon : private DaemonControl, private osc::ControlListener {
   AudioThread audio_;
   Levels levels_;
   Recorder recorder_;
-  std::vector<std::unique_ptr<Feed>> feeds_;
+  std::vector<std::unique_ptr<Feed>> feeds_, leaving_;
   std::vector<LineServer> servers_;
-  std::optional<OscOutput> osc_output_;
+  RigLoader loader_;
+  ReloadQueue reload_queue_;
+  Change change_;
+  LoadedRig next_;  // while the old engine fades out
   ServiceManager service_;
   audio::CardStatus reported_;
   double start_s_, next_poll_s_ = 0, silent_since_s_ = 0;

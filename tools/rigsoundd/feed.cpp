@@ -12,14 +12,15 @@ Feed::Feed(const MakeBus& make, StateExchange& exchange, std::string bus_text)
       thread_([this] { run(); }) {}
 
 void Feed::run() {
-  while (!stop_) {
+  while (!bus_->stopped()) {
     bus_->step();
     status_.poll(monotonic_ms());
   }
+  ended_.store(true, std::memory_order_release);
 }
 
 Feed::~Feed() {
-  stop_ = true;
+  stop();
   thread_.join();
 }
 

@@ -14,7 +14,7 @@
 
 namespace rigsound::daemon {
 
-/// Runs from construction to destruction, which takes up to 0.2 s, or a device's time-out.
+/// Runs from construction to stop(). Destruction waits for the end of the bus's thread.
 class Feed : private BusListener {
  public:
   using MakeBus = std::function<std::unique_ptr<Bus>(BusListener&)>;
@@ -24,6 +24,10 @@ class Feed : private BusListener {
   ~Feed() override;
   Feed(const Feed&) = delete;
   Feed& operator=(const Feed&) = delete;
+
+  void stop() noexcept { bus_->stop(); }  ///< Thread: CT
+  /// The bus's thread is over: destruction does not wait. Thread: CT
+  bool ended() const noexcept { return ended_.load(std::memory_order_acquire); }
 
   BusSnapshot snapshot() const;  ///< Thread: CT
   const std::string& bus_text() const { return bus_text_; }
@@ -39,7 +43,7 @@ class Feed : private BusListener {
   std::string bus_text_;
   std::unique_ptr<Bus> bus_;
   BusStatus status_;
-  std::atomic<bool> stop_{false};
+  std::atomic<bool> ended_{false};
   std::thread thread_;  // last: it uses all of the above
 };
 

@@ -37,6 +37,7 @@ LoadedRig build(config::Rig rig) {
   loaded.sounds = {names_of(sounds.banks), names_of(sounds.rocks)};
   loaded.fingerprint = config::fingerprint(rig);
   loaded.engine = std::make_unique<Engine>(config::build_engine(rig, std::move(sounds)));
+  loaded.osc_output = OscOutput(rig.osc);
   loaded.rig = std::move(rig);
   return loaded;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "osc_output.hpp"
 #include "rigsound/config/rig.hpp"
 #include "rigsound/engine.hpp"
 
@@ -21,16 +22,17 @@ struct LoadedRig {
   SoundNames sounds;
   std::unique_ptr<Engine> engine;
   std::string fingerprint;
+  OscOutput osc_output;
 };
 
-/// Errors: InputError. Thread: CT.
+/// Errors: InputError, DeviceError when a target of OSC is no address. Thread: CT.
 LoadedRig load(const std::filesystem::path& file, config::Buses buses);
 
-/// A fresh engine for a rig already read; its sounds are read again. Errors: InputError. Thread: CT.
+/// A fresh engine for a rig already read; its sounds are read again. Errors as of load(). Thread: any.
 LoadedRig build(config::Rig rig);
 
 /// The same as load() for a daemon that runs `running`: what only a restart can change keeps its running
-/// value and is listed in `not_applied`, `KEY: OLD, wanted NEW`. Errors: InputError. Thread: CT.
+/// value and is listed in `not_applied`, `KEY: OLD, wanted NEW`. Errors as of load(). Thread: any.
 LoadedRig load_for_reload(const config::Rig& running, config::Buses buses,
                           std::vector<std::string>& not_applied);
 

@@ -3,6 +3,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 
 #include "cli/verb.hpp"
 #include "daemon.hpp"
@@ -36,12 +37,14 @@ int serve(const daemon::DaemonOptions& options) {
   try {
     daemon::start_log();
     const std::string memory = daemon::lock_memory();
+    bool alone = true;
     {
       daemon::Daemon daemon(options);
       daemon::log_info("memory " + memory);
-      daemon.run(signals.get());
+      alone = daemon.run(signals.get());
     }
     daemon::stop_log();
+    if (!alone) std::_Exit(0);  // what the other thread uses must not be destroyed under it
     return 0;
   } catch (const DeviceError& error) {
     return complain(error, 3);

@@ -8,7 +8,8 @@
 
 namespace rigsound::daemon {
 
-/// One answer, the same whatever is asked for. Thread: CT.
+/// One answer: the page to `GET /metrics`, with any query; else 400 for what is no HTTP/1 request, 405 for
+/// another method, 404 for another path. Thread: CT.
 class MetricsPage : public Conversation {
  public:
   explicit MetricsPage(DaemonControl& daemon) : daemon_(daemon) {}

@@ -19,6 +19,7 @@ std::vector<std::vector<osc::Value>> osc_bundles(const Snapshot& snapshot);
 /// Never waits. Thread: CT.
 class OscOutput {
  public:
+  OscOutput() = default;  ///< to nobody
   /// Errors: DeviceError when a target is no address.
   explicit OscOutput(const osc::OscOptions& options);
 
@@ -27,7 +28,7 @@ class OscOutput {
 
  private:
   std::vector<udp::UdpSender> targets_;
-  double every_s_, next_s_ = 0;
+  double every_s_ = 1, next_s_ = 0;
 };
 
 }  // namespace rigsound::daemon

@@ -27,7 +27,8 @@ constexpr CounterText kBusCounters[] = {
     {"frames_bad", "Error frames of the CAN controller, or bytes that are no Modbus."},
     {"frames_dropped", "Frames the kernel dropped because they were not fetched in time."},
     {"requests_refused", "Modbus requests answered with an exception."},
-    {"rejected_connections", "Modbus connections over the limit or from a network not allowed."},
+    {"rejected_connections", "Modbus connections from a network not allowed."},
+    {"evicted_connections", "Modbus connections closed to make room for the next."},
     {"frames_rejected", "Datagrams from a network not allowed."},
     {"frames_late", "Datagrams older than one before."},
     {"losses", "Times the bus or the device went away."}};

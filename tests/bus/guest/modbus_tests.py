@@ -113,7 +113,7 @@ class Server(unittest.TestCase):
             with socket.create_connection(('127.0.0.1', 1502)) as bad:
                 bad.sendall(b'\xff' + random.randbytes(300))
         flood = [socket.create_connection(('127.0.0.1', 1502)) for _ in range(100)]
-        wait_for('the flood to be rejected', lambda: self.bus()['rejected_connections'] >= 68)
+        wait_for('the flood to be evicted', lambda: self.bus()['evicted_connections'] >= 90)
         wait_for('the garbage to be counted', lambda: self.bus()['frames_bad'] == 50)
         self.assertEqual(self.daemon.signal('rod_count')['value'], 7)
         self.assertFalse(client.write_register(8, 9, slave=1).isError())

@@ -94,7 +94,8 @@ TEST_CASE("A session renders the very samples that were played, over a change of
   s.audio.start();
   CHECK_FALSE(s.audio.scheduling().empty());
   s.drill(300);
-  s.audio.replace_engine(s.engine());
+  s.audio.offer_engine(s.engine());
+  while (!s.audio.engine_taken()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   s.drill(300);
   s.audio.stop();
   s.recorder.finish();

@@ -40,7 +40,8 @@ struct TwoBooms : DaemonControl {
     s.output.peak = 0.75;
     return s;
   }
-  ReloadResult reload() override { return reloaded; }
+  std::uint64_t ask_reload() override { return reloads.ask(); }
+  const ReloadResult* reload_result(std::uint64_t number) const override { return reloads.result(number); }
   void set_muted(bool on) override { muted = on; }
   std::vector<std::string> boom_names() const override { return {"left", "right"}; }
   DrillControls controls(int boom) const override { return controls_[boom]; }
@@ -57,15 +58,15 @@ struct TwoBooms : DaemonControl {
     return entry.by_hand ? entry.hand_value : -99;
   }
 
-  std::optional<Subscription> subscription;
-  ReloadResult reloaded;
+  ClientState client;
+  ReloadQueue reloads;
   bool muted = false;
   DrillControls controls_[2];
   SignalBoard board;
 };
 
 Json ask(TwoBooms& daemon, const std::string& request) {
-  const std::string line = answer(request, daemon, daemon.subscription);
+  const std::string line = answer(request, daemon, daemon.client);
   REQUIRE(line.back() == '\n');
   REQUIRE(line.find('\n') == line.size() - 1);
   return Json::parse(line);
@@ -195,12 +196,21 @@ TEST_CASE("mute turns over, or goes where it is told") {
   CHECK(ask(daemon, R"({"command":"mute"})")["muted"] == false);
 }
 
-TEST_CASE("reload says why not, and what only a restart can change") {
+TEST_CASE("reload answers when it is over: why not, and what only a restart can change") {
   TwoBooms daemon;
-  daemon.reloaded.not_applied = {"audio.rate: 48000, wanted 44100"};
-  CHECK(ask(daemon, R"({"command":"reload"})")["not_applied"].size() == 1);
-  daemon.reloaded.error = "rig.toml:3: mix.dril_db: unknown key";
-  CHECK(ask(daemon, R"({"command":"reload"})")["error"] == "rig.toml:3: mix.dril_db: unknown key");
+  const auto reload = [&](ReloadResult result) {
+    CHECK(answer(R"({"command":"reload"})", daemon, daemon.client).empty());
+    CHECK(late_answer(daemon, daemon.client).empty());
+    daemon.reloads.begin();
+    CHECK(late_answer(daemon, daemon.client).empty());
+    daemon.reloads.finish(std::move(result));
+    const Json said = Json::parse(late_answer(daemon, daemon.client));
+    CHECK(late_answer(daemon, daemon.client).empty());
+    return said;
+  };
+  CHECK(reload({"", {"audio.rate: 48000, wanted 44100"}})["not_applied"].size() == 1);
+  CHECK(reload({"rig.toml:3: mix.dril_db: unknown key", {}})["error"] ==
+        "rig.toml:3: mix.dril_db: unknown key");
 }
 
 TEST_CASE("status carries signals with their age, a signal never seen has none") {

@@ -1,6 +1,7 @@
 #include "line_server.hpp"
 
 #include <doctest/doctest.h>
+#include <netinet/in.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -12,6 +13,7 @@
 
 #include "control_socket.hpp"
 #include "rigsound/device_error.hpp"
+#include "rigsound/socket/tcp_listener.hpp"
 #include "temporary_folder.hpp"
 
 using namespace rigsound;
@@ -24,19 +26,28 @@ struct Brackets : Conversation {
   explicit Brackets(const std::string& said, int& missed_by) : unasked(said), missed(missed_by) {}
   std::string answer(const std::string& request) override {
     done = request == "bye";
-    return "<" + request + ">\n";
+    if (request != "slow") return "<" + request + ">\n";
+    return {};
   }
+  std::string late_answer() override { return late; }
+  bool wants_news() const override { return !unasked.empty(); }
   std::string news(double) override { return unasked; }
   void news_not_taken(double) override { ++missed; }
   bool over() const override { return done; }
 
   const std::string& unasked;
+  std::string late;
   int& missed;
   bool done = false;
 };
 
 struct Served {
-  Served() : server(listen_unix(path), {"\n", [this] { return std::make_unique<Brackets>(news, missed); }}) {}
+  Served()
+      : server(listen_unix(path), {"\n", 10, [this] {
+                                     auto conversation = std::make_unique<Brackets>(news, missed);
+                                     last = conversation.get();
+                                     return conversation;
+                                   }}) {}
   ~Served() { ::unlink(path.c_str()); }
 
   FileDescriptor client() const {
@@ -53,6 +64,7 @@ struct Served {
           .string();
   std::string news;
   int missed = 0;
+  Brackets* last = nullptr;  // conversation begun
   LineServer server;
 };
 
@@ -138,23 +150,105 @@ TEST_CASE(
 }
 
 TEST_CASE("When all places are taken the next client gets that of the one that was silent longest") {
-  Served s;
+  std::string news;
+  int missed = 0;
+  FileDescriptor listening = listen_tcp({"127.0.0.1", 0});
+  const int port = bound_port(listening);
+  LineServer server(std::move(listening),
+                    {"\n", 10, [&] { return std::make_unique<Brackets>(news, missed); }});
+  const auto client = [&](unsigned last) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(0x7f000000 + last);
+    FileDescriptor fd(::socket(AF_INET, SOCK_STREAM, 0));
+    REQUIRE(::bind(fd.get(), reinterpret_cast<sockaddr*>(&address), sizeof address) == 0);
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    address.sin_port = htons(static_cast<std::uint16_t>(port));
+    REQUIRE(::connect(fd.get(), reinterpret_cast<sockaddr*>(&address), sizeof address) == 0);
+    return fd;
+  };
   std::vector<FileDescriptor> clients;
-  for (int i = 0; i < 32; ++i) {
-    clients.push_back(s.client());
-    s.server.serve();
+  for (unsigned i = 0; i < 32; ++i) {
+    clients.push_back(client(2 + i / 8));
+    server.serve();
   }
   say(clients[0], "x\n");
-  s.server.serve();
+  server.serve();
   CHECK(heard(clients[0]) == "<x>\n");
-  const FileDescriptor next = s.client();
-  s.server.serve();
+  const FileDescriptor next = client(9);
+  server.serve();
   CHECK(heard(clients[1]) == "closed");
   say(next, "y\n");
   say(clients[0], "z\n");
-  s.server.serve();
+  server.serve();
   CHECK(heard(next) == "<y>\n");
   CHECK(heard(clients[0]) == "<z>\n");
+}
+
+TEST_CASE("One process has 8 places: its ninth client takes that of its own that was silent longest") {
+  Served s;
+  std::vector<FileDescriptor> clients;
+  for (int i = 0; i < 9; ++i) {
+    clients.push_back(s.client());
+    s.server.serve();
+    if (i == 7) {
+      say(clients[0], "x\n");
+      s.server.serve();
+      CHECK(heard(clients[0]) == "<x>\n");
+    }
+  }
+  CHECK(heard(clients[1]) == "closed");
+  for (const std::size_t stays : {0, 2, 8}) CHECK(heard(clients[stays]).empty());
+}
+
+TEST_CASE("A late answer comes when it is there; until then nothing more is asked, and others are served") {
+  Served s;
+  const FileDescriptor patient = s.client();
+  s.server.serve();
+  Brackets* const conversation = s.last;
+  const FileDescriptor other = s.client();
+  say(patient, "slow\nnext\n");
+  CHECK_FALSE(s.server.serve());
+  std::vector<pollfd> polls;
+  s.server.add_polls(polls);
+  CHECK(polls[1].fd == -1);
+  CHECK(polls[2].fd >= 0);
+  for (int i = 0; i < 3; ++i) {
+    s.server.tell_news(100 * i);  // it is not idle
+    say(other, "o\n");
+    CHECK_FALSE(s.server.serve());
+    CHECK(heard(other) == "<o>\n");
+    CHECK(heard(patient).empty());
+  }
+  conversation->late = "<late>\n";
+  CHECK(s.server.serve());
+  CHECK(heard(patient) == "<late>\n");
+  s.server.serve();
+  CHECK(heard(patient) == "<next>\n");
+}
+
+TEST_CASE("A client that asks nothing for too long is closed, unless it is told news") {
+  Served s;
+  const FileDescriptor idle = s.client(), busy = s.client();
+  s.server.serve();
+  for (const double now_s : {1000.0, 1005.0, 1009.0, 1011.0}) {
+    say(busy, "x\n");
+    s.server.serve();
+    CHECK(heard(busy) == "<x>\n");
+    CHECK(heard(idle) == "");
+    s.server.tell_news(now_s);
+  }
+  CHECK(heard(idle) == "closed");
+  s.news = "n\n";
+  s.server.tell_news(1015);
+  CHECK(heard(busy) == "n\n");
+  s.server.tell_news(2000);
+  CHECK(heard(busy) == "n\n");
+  s.news = "";
+  s.server.tell_news(2009);
+  CHECK(heard(busy) == "");
+  s.server.tell_news(2011);
+  CHECK(heard(busy) == "closed");
 }
 
 TEST_CASE("A client without an end is closed, the others stay") {

@@ -9,10 +9,10 @@
 namespace rigsound::tools {
 
 RecordedBus::RecordedBus(const std::function<std::unique_ptr<Bus>(BusListener&)>& make)
-    : bus_(make(*this)), thread_([this] { bus_->run(stop_); }) {}
+    : bus_(make(*this)), thread_([this] { bus_->run(); }) {}
 
 RecordedBus::~RecordedBus() {
-  stop_ = true;
+  bus_->stop();
   thread_.join();
   std::string counters;
   for (const BusCounter& counter : bus_->counters())

@@ -31,7 +31,7 @@ class RecordedBus : private BusListener {
   void notice(const std::string& text) override;
 
   std::unique_ptr<Bus> bus_;
-  std::atomic<bool> told_{false}, stop_{false};
+  std::atomic<bool> told_{false};
   std::promise<std::string> first_problem_;  // empty: none
   std::thread thread_;                       // last: it uses all of the above
 };

@@ -1,13 +1,13 @@
 // A live fieldbus of any kind: readings, news and counters come out of it.
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "rigsound/bus/stop_event.hpp"
 #include "rigsound/machine/reading.hpp"
 
 namespace rigsound {
@@ -49,11 +49,21 @@ class Bus {
   virtual const std::vector<SignalId>& signals() const = 0;  ///< what it delivers
   virtual std::vector<BusCounter> counters() const = 0;      ///< Thread: any
 
-  /// Rounds until `stop`, noticed within 0.2 s or a device's time-out. Thread: the bus's own
-  void run(const std::atomic<bool>& stop) {
-    while (!stop.load(std::memory_order_relaxed)) step();
+  /// Rounds until stop(). Thread: the bus's own
+  void run() {
+    while (!stopped()) step();
   }
   virtual void step() = 0;  ///< one round: waits at most 0.2 s unless the device itself takes longer
+
+  /// Ends the round under way, whatever it waits for, and run(). Thread: any
+  void stop() noexcept { stop_event_.set(); }
+  bool stopped() const noexcept { return stop_event_.is_set(); }  ///< Thread: any
+
+ protected:
+  const StopEvent& stop_event() const noexcept { return stop_event_; }
+
+ private:
+  StopEvent stop_event_;
 };
 
 }  // namespace rigsound

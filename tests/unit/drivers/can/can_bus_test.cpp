@@ -30,7 +30,7 @@ struct Script {
 class ScriptedSocket : public CanSocket {
  public:
   explicit ScriptedSocket(Script& script) : script_(script) {}
-  int receive(Arrival* out, std::size_t, int) override {
+  int receive(Arrival* out, std::size_t, int, const StopEvent&) override {
     const int answer = script_.answers.front();
     script_.answers.pop_front();
     for (int i = 0; i < answer; ++i) out[i] = {script_.frames[i], script_.realtime_s};
@@ -52,7 +52,7 @@ class ScriptedPort : public CanPort {
     script_.opened_with = options;
     return std::make_unique<ScriptedSocket>(script_);
   }
-  void wait_for_change(int timeout_ms) override { script_.waits.push_back(timeout_ms); }
+  void wait_for_change(int timeout_ms, const StopEvent&) override { script_.waits.push_back(timeout_ms); }
 
  private:
   Script& script_;

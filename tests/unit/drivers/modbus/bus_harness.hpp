@@ -69,14 +69,14 @@ inline void await(const std::function<bool()>& done) {
 
 class Running {
  public:
-  explicit Running(Bus& bus) : thread_([this, &bus] { bus.run(stop_); }) {}
+  explicit Running(Bus& bus) : bus_(bus), thread_([&bus] { bus.run(); }) {}
   ~Running() {
-    stop_ = true;
+    bus_.stop();
     thread_.join();
   }
 
  private:
-  std::atomic<bool> stop_{false};
+  Bus& bus_;
   std::thread thread_;
 };
 

@@ -70,6 +70,43 @@ TEST_CASE("A broadcast is obeyed and never answered, refused or not") {
   CHECK(line.hear(kWrite85.size()) == kWrite85);  // the first bytes of the server
 }
 
+TEST_CASE("A function that is not served is answered with exception 1, in one frame with anything after it") {
+  ServedLine line;
+  for (const Bytes& request : {Bytes{17, 0x2b, 0x0e, 1, 0}, Bytes{17, 7}, Bytes{17, 8, 0, 0, 0xA5, 0x37},
+                               Bytes{17, 0x64, 1, 2, 3}}) {
+    line.say(with_checksum(request));
+    CHECK(line.hear(5) == with_checksum({17, static_cast<std::uint8_t>(request[1] | 0x80), 1}));
+  }
+  CHECK(count(*line.server, "requests_refused") == 4);
+  CHECK(count(*line.server, "frames_bad") == 0);
+  line.say(with_checksum({0, 0x2b, 0x0e, 1, 0}));  // to all: nobody answers
+  line.say(with_checksum({18, 0x2b, 0x0e, 1, 0}));
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  line.say(kWrite85);
+  CHECK(line.hear(kWrite85.size()) == kWrite85);
+}
+
+TEST_CASE("On a line with other units, their answers are no requests, however close the next frame follows") {
+  ServedLine line;
+  Bytes traffic;
+  const auto add = [&](const Bytes& frame) { traffic.insert(traffic.end(), frame.begin(), frame.end()); };
+  add(with_checksum({18, 3, 0, 0, 0, 2}));       // the master asks another unit,
+  add(with_checksum({18, 3, 4, 0, 85, 0, 90}));  // which answers,
+  add(with_checksum({18, 0x83, 2}));             // or refuses
+  add(kWrite85);
+  line.say(traffic);
+  CHECK(line.hear(kWrite85.size()) == kWrite85);
+  CHECK(count(*line.server, "frames_bad") == 0);
+}
+
+TEST_CASE("More bytes than a frame has are one broken frame, until the line is silent") {
+  ServedLine line;
+  line.say(Bytes(700, 0xA5));
+  await([&] { return count(*line.server, "frames_bad") >= 1; });
+  line.say(kWrite85);
+  CHECK(line.hear(kWrite85.size()) == kWrite85);
+}
+
 TEST_CASE("A line that goes away is told, and looked for") {
   ServedLine line;
   line.cut();
