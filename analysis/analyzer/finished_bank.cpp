@@ -32,6 +32,7 @@ constexpr Figure kFigures[] = {
     {"decay_s", &BankFigures::decay_s},
     {"longest_click_s", &BankFigures::longest_click_s},
     {"ltas_error_db", &BankFigures::ltas_error_db},
+    {"ltas_denoised_error_db", &BankFigures::ltas_denoised_error_db},
     {"modulation_error_db", &BankFigures::modulation_error_db},
 };
 

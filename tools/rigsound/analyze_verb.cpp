@@ -60,6 +60,7 @@ FigureRow bank_row(const AnalysedPart& p) {
       .add("level_db", p.figures.level_db, "{:.2f}")
       .add("snr_db", p.figures.snr_db, "{:.2f}")
       .add("ltas_error_db", p.figures.ltas_error_db, "{:.2f}")
+      .add("ltas_denoised_error_db", p.figures.ltas_denoised_error_db, "{:.2f}")
       .add("modulation_error_db", p.figures.modulation_error_db, "{:.2f}")
       .add("source", p.part.recording.string());
 }
