@@ -22,6 +22,7 @@ struct BankFigures {
                              ///< what the denoiser took from the drilling given back
   double ltas_denoised_error_db = 0;  ///< the same against the denoised recording as it is
   double modulation_error_db = 0;
+  std::string doubt;  ///< what speaks against the label's word that it drills; empty: nothing
 };
 
 struct BuiltBank {
