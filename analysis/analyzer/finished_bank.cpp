@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Raised whenever the chain or the bank builder changes what it computes: older banks are then analysed anew.
-constexpr int kAnalysisRevision = 4;
+constexpr int kAnalysisRevision = 5;
 
 struct Figure {
   const char* key;
@@ -32,6 +32,7 @@ constexpr Figure kFigures[] = {
     {"decay_s", &BankFigures::decay_s},
     {"longest_click_s", &BankFigures::longest_click_s},
     {"ltas_error_db", &BankFigures::ltas_error_db},
+    {"ltas_denoised_error_db", &BankFigures::ltas_denoised_error_db},
     {"modulation_error_db", &BankFigures::modulation_error_db},
 };
 
@@ -49,6 +50,7 @@ std::string figures_text(const BankFigures& figures) {
   json["segments"] = figures.segments;
   json["segments_drilling"] = figures.segments_drilling;
   for (const Figure& f : kFigures) json[f.key] = figures.*f.value;  // infinity becomes null
+  json["doubt"] = figures.doubt;
   return json.dump(2) + "\n";
 }
 
@@ -59,6 +61,7 @@ BankFigures read_figures(const fs::path& path) {
   figures.clicks_found = json.at("clicks_found");
   figures.segments = json.at("segments");
   figures.segments_drilling = json.at("segments_drilling");
+  figures.doubt = json.at("doubt");
   for (const Figure& f : kFigures)
     figures.*f.value =
         json.at(f.key).is_null() ? std::numeric_limits<double>::infinity() : json.at(f.key).get<double>();
@@ -68,9 +71,9 @@ BankFigures read_figures(const fs::path& path) {
 }  // namespace
 
 std::string settings_of(const Part& part, const AnalyzerOptions& options) {
-  std::string text = fmt::format("revision={} method={} denoise={} clicks={}", kAnalysisRevision,
+  std::string text = fmt::format("revision={} method={} denoise={} clicks={} labelled={}", kAnalysisRevision,
                                  options.method == Method::kPaper ? "paper" : "click-nmf",
-                                 options.denoise ? "yes" : "no", options.clicks);
+                                 options.denoise ? "yes" : "no", options.clicks, part.labelled ? "yes" : "no");
   if (!part.whole())
     text += fmt::format(" start_s={:.6f} end_s={:.6f}", part.label.start_s, part.label.end_s);
   return text;

@@ -38,13 +38,15 @@ PartAnalysis analyse_part(const Part& part, Recording recording, const AnalyzerO
   ChainOptions chain;
   chain.method = options.method;
   chain.denoise = options.denoise;
+  chain.labelled = part.labelled;
   analysis.chain = run_chain_in_segments(analysis.recorded, chain);
   const ChainResult& whole = analysis.chain.joined;
   if (!whole.drilling_found)
-    throw InputError(title(part),
-                     fmt::format("no drilling found ({}), expected percussive drilling", whole.reason));
+    throw InputError(title(part), fmt::format("no {} found ({}), expected percussive drilling",
+                                              part.labelled ? "clicks" : "drilling", whole.reason));
   analysis.built = build_bank(analysis.chain, options.method, options.clicks, title(part));
   analysis.built.bank.name = part.bank;
+  analysis.built.figures.doubt = whole.reason;
   return analysis;
 }
 

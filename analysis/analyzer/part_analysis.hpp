@@ -19,7 +19,8 @@ struct PartAnalysis {
 /// outside the recording. Thread: OFF.
 Recording read_part(const Part& part);
 
-/// Runs the chain on what read_part() gave and builds the bank. Errors: InputError when no drilling is found.
+/// Runs the chain on what read_part() gave and builds the bank. Errors: InputError when no drilling is found,
+/// or in a labelled part no clicks.
 /// Thread: OFF.
 PartAnalysis analyse_part(const Part& part, Recording recording, const AnalyzerOptions& options);
 

@@ -153,7 +153,7 @@ Labelling labelling_of(const fs::path& recording, const SaidBy& by, const Analyz
   if (by.bus_log) return by_bus(recording, by.file, *bus, options.bus_log_offset_s, notes);
   if (!by.file.empty()) return {by.file, read_labels(by.file)};
   Label whole;
-  whole.situation = options.situation;
+  whole.situation = options.situation.value_or(Situation::kNormal);
   return {{}, {whole}};
 }
 
@@ -208,7 +208,7 @@ PartList list_parts(const AnalyzerOptions& options) {
       list.read.push_back(by.file);
       const Labelling labelling = labelling_of(recording, by, options, bus, list.notes);
       if (labelling.file.empty())
-        list.parts.push_back({recording, stem, {}, labelling.labels.front()});
+        list.parts.push_back({recording, stem, {}, labelling.labels.front(), options.situation.has_value()});
       else
         add_labelled(recording, stem, labelling, list);
     } catch (const InputError& error) {

@@ -34,7 +34,8 @@ struct Task {
   Part part;
   std::shared_ptr<SourceHash> source;
   std::optional<AnalysedPart> done;
-  std::string failure, note;
+  std::string failure;
+  std::vector<std::string> notes;
 };
 
 std::vector<Task> tasks_of(const std::vector<Part>& parts, const AnalyzerOptions& options) {
@@ -53,7 +54,7 @@ std::vector<Task> tasks_of(const std::vector<Part>& parts, const AnalyzerOptions
 
 AnalysedPart analyse(Task& task, const std::string& sha256, const AnalyzerOptions& options) {
   Recording recording = read_part(task.part);
-  task.note = mix_down_note(task.part.recording, recording);
+  task.notes = reading_notes(task.part.recording, recording);
   const PartAnalysis analysis = analyse_part(task.part, std::move(recording), options);
   const ClickBank& bank = analysis.built.bank;
   AnalysedPart analysed{
@@ -142,7 +143,8 @@ AnalyzerResult run_analyzer(const AnalyzerOptions& options, const AnalyzerListen
   result.notes = std::move(list.notes);
   std::set<std::string> said(result.failures.begin(), result.failures.end());
   for (Task& task : tasks) {
-    if (!task.note.empty() && said.insert(task.note).second) result.notes.push_back(task.note);
+    for (std::string& note : task.notes)
+      if (said.insert(note).second) result.notes.push_back(std::move(note));
     if (task.done)
       result.banks.push_back(std::move(*task.done));
     else if (said.insert(task.failure).second)

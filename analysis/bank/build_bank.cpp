@@ -66,8 +66,10 @@ BankFigures figures_of(const Segments& segments, const ClickBank& bank, const Ba
   for (const auto& click : bank.clicks)
     f.longest_click_s = std::max(f.longest_click_s, static_cast<double>(click.size()) / bank.sample_rate);
   const std::vector<float> proof = resynthesise(bank, kProofSeconds, kProofSeed).sound;
-  f.ltas_error_db =
-      mean_difference_db(target, third_octave_levels(proof), kLtasRangeDb, Difference::kCentred);
+  const BandLevels played = third_octave_levels(proof),
+                   denoised = recorded_levels(segments, Levels::kDenoisedOnly);
+  f.ltas_error_db = mean_difference_db(target, played, kLtasRangeDb, Difference::kCentred);
+  f.ltas_denoised_error_db = mean_difference_db(denoised, played, kLtasRangeDb, Difference::kCentred);
   f.modulation_error_db = mean_difference_db(recorded_modulation(segments), modulation_levels(proof),
                                              kModulationRangeDb, Difference::kAbsolute);
   return f;

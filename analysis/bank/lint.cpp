@@ -122,6 +122,7 @@ void check_feed_series(const std::vector<AnalysedPart*>& drilling) {
 std::vector<std::string> lint_bank(const AnalysedPart& part, int wanted_clicks) {
   const BankFigures& f = part.figures;
   std::vector<std::string> warnings;
+  if (!f.doubt.empty()) warnings.push_back("it may be no drilling: " + f.doubt);
   if (f.clicks_found < kFewClicksFound || part.clicks < wanted_clicks)
     warnings.push_back(fmt::format("too few clicks: {} found, {} in the bank", f.clicks_found, part.clicks));
   if (f.snr_db < kLowSnrDb) warnings.push_back(fmt::format("low SNR: {:.1f} dB", f.snr_db));

@@ -24,6 +24,7 @@ SegmentedResult run_chain_in_segments(const std::vector<float>& mono, const Chai
     ++done;
     if (options.progress) options.progress(done, count);
   });
+  if (options.labelled) trust_the_label(results);
   return join_segments(segments, std::move(results));
 }
 

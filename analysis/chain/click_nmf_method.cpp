@@ -132,10 +132,10 @@ ClipSplit split_without_denoising(const std::vector<float>& x, const Dump& dump)
 }
 
 /// Steps 1 to 6 from one random start.
-ClipSplit split_from(unsigned seed, double tolerance, const std::vector<float>& x, const Spectrogram& X,
-                     const PowerSpectrogram& power, const Dump& dump) {
+ClipSplit split_from(unsigned start, const ChainOptions& options, const std::vector<float>& x,
+                     const Spectrogram& X, const PowerSpectrogram& power, const Dump& dump) {
   InitialNmfOptions initial;
-  initial.seed = seed;
+  initial.seed = options.seed + start;
   const PsdPair blind = modelled_psd(initial_nmf(power, initial), power);
   dump_split(dump, "blind", X, blind, x.size());
   PsdPair psd = blind;
@@ -155,12 +155,12 @@ ClipSplit split_from(unsigned seed, double tolerance, const std::vector<float>& 
     dump_split(dump, name, X, psd, x.size());
     if (last || !enough) {
       dump_evidence(dump, name, evidence);
-      split.reason = no_drilling_reason(evidence, tolerance);
+      split.reason = no_drilling_reason(evidence, start == 0 ? kFirstTolerance : kLaterTolerance);
     }
     split.clicks = std::move(evidence.clicks);
     if (!enough) break;
   }
-  if (!split.reason.empty()) psd = blind;
+  if (!split.reason.empty() && !options.labelled) psd = blind;
   split.drilling = inverse_stft(wiener(X, psd), x.size(), kChainStft);
   const MeanPsd mean = recorded_shares(X, psd);
   split.signal_psd = mean.S;
@@ -174,10 +174,13 @@ ClipSplit split_by_click_nmf(const std::vector<float>& x, const ChainOptions& op
   if (!options.denoise) return split_without_denoising(x, dump);
   const Spectrogram X = stft(x, kChainStft);
   const PowerSpectrogram power = power_spectrogram(X);
-  ClipSplit split = split_from(options.seed, kFirstTolerance, x, X, power, dump);
-  for (unsigned start = 1; start < kStarts && !split.reason.empty(); ++start)
-    split = split_from(options.seed + start, kLaterTolerance, x, X, power, dump);
-  return split;
+  const ClipSplit first = split_from(0, options, x, X, power, dump);
+  if (first.reason.empty()) return first;
+  for (unsigned start = 1; start < kStarts; ++start) {
+    const ClipSplit later = split_from(start, options, x, X, power, dump);
+    if (later.reason.empty()) return later;
+  }
+  return first;
 }
 
 }  // namespace rigsound::analysis

@@ -56,7 +56,7 @@ ChainResult analyse_clip(const std::vector<float>& mono, const ChainOptions& opt
   ChainResult result;
   result.reason = split.reason;
   result.drilling_found = result.reason.empty();
-  if (result.drilling_found) result.clicks = std::move(split.clicks);
+  if (result.drilling_found || options.labelled) result.clicks = std::move(split.clicks);
   const double square = static_cast<double>(clip.level) * clip.level;
   result.signal_psd = scaled(split.signal_psd, square);
   result.noise_psd = scaled(split.noise_psd, square);

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 
+#include "clicks/drilling_test.hpp"
 #include "clicks/gaps.hpp"
 #include "numeric/quantile.hpp"
 #include "rigsound/analysis/rate.hpp"
@@ -120,7 +121,8 @@ ChainResult join_sound(const std::vector<Segment>& segments, const std::vector<C
   ChainResult joined;
   joined.drilling_found =
       std::any_of(results.begin(), results.end(), [](const auto& r) { return r.drilling_found; });
-  if (!joined.drilling_found) joined.reason = results.front().reason;
+  const auto sure = std::find_if(results.begin(), results.end(), [](const auto& r) { return r.reason.empty(); });
+  if (sure == results.end()) joined.reason = results.front().reason;
   joined.drilling = join_drilling(segments, results);
   long total = 0;
   for (const Segment& segment : segments) total += segment.end - segment.begin;
@@ -144,6 +146,14 @@ std::vector<Segment> plan_segments(long length) {
     segments.push_back({std::max(0L, k * length / count - kSegmentOverlap / 2),
                         std::min(length, (k + 1) * length / count + kSegmentOverlap / 2)});
   return segments;
+}
+
+void trust_the_label(std::vector<ChainResult>& results) {
+  const bool sure = std::any_of(results.begin(), results.end(), [](const auto& r) { return r.drilling_found; });
+  for (ChainResult& r : results) {
+    if (!sure) r.drilling_found = r.clicks.P.size() >= kFewestDrillingClicks;
+    if (!r.drilling_found) r.clicks = {};
+  }
 }
 
 SegmentedResult join_segments(const std::vector<Segment>& segments, std::vector<ChainResult> results) {

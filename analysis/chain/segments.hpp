@@ -23,4 +23,8 @@ constexpr long kSegmentOverlap = 24000;  ///< samples, half a second
 /// the median over the segments with drilling. Thread: OFF.
 SegmentedResult join_segments(const std::vector<Segment>& segments, std::vector<ChainResult> results);
 
+/// For a labelled recording, whose results keep the clicks of refused segments: where no segment passes for
+/// drilling, those with enough clicks do, their doubts kept; where one does, it alone. Thread: OFF.
+void trust_the_label(std::vector<ChainResult>& results);
+
 }  // namespace rigsound::analysis

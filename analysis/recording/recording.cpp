@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "recording/clipping.hpp"
+#include "recording/open_sound.hpp"
 #include "recording/resample.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/file/input_file.hpp"
@@ -15,8 +15,6 @@
 
 namespace rigsound::analysis {
 namespace {
-
-using Sound = std::unique_ptr<SNDFILE, decltype(&sf_close)>;
 
 /// What to read the recording from, a pipe too.
 InputFile input_of(const std::filesystem::path& path) {
@@ -26,13 +24,11 @@ InputFile input_of(const std::filesystem::path& path) {
   return {path, "recording"};
 }
 
-Sound open(const InputFile& input, SF_INFO& info) {
-  Sound sound(sf_open(input.path().c_str(), SFM_READ, &info), &sf_close);
-  if (!sound)
+void require_sound(const OpenSound& sound, const InputFile& input) {
+  if (!sound.get())
     throw InputError(input.name(),
                      fmt::format("not a sound file ({}), expected WAV, FLAC or another format of libsndfile",
                                  sf_strerror(nullptr)));
-  return sound;
 }
 
 void check_format(const std::string& file, const SF_INFO& info) {
@@ -95,7 +91,8 @@ bool is_silent(const std::vector<float>& mono) {
 Recording read_stretch(const std::filesystem::path& path, const Stretch& stretch) {
   SF_INFO info{};
   const InputFile input = input_of(path);
-  const Sound sound = open(input, info);
+  const OpenSound sound(input.path(), info);
+  require_sound(sound, input);
   check_format(input.name(), info);
   const Frames frames = frames_of(stretch, info);
   const double seconds = static_cast<double>(frames.end - frames.begin) / info.samplerate;
@@ -114,7 +111,8 @@ Recording read_stretch(const std::filesystem::path& path, const Stretch& stretch
           info.channels,
           static_cast<long>(mono.size()),
           is_silent(mono),
-          clipped_share(mono)};
+          clipped_share(mono),
+          sound.fault()};
 }
 
 }  // namespace
@@ -129,15 +127,20 @@ Recording read_recording(const std::filesystem::path& path, const Stretch& stret
 
 Recording read_recording_or_silence(const std::filesystem::path& path) { return read_stretch(path, {}); }
 
-std::string mix_down_note(const std::filesystem::path& path, const Recording& recording) {
-  if (recording.source_channels == 1) return {};
-  return fmt::format("{}: {} channels mixed down to one", path.string(), recording.source_channels);
+std::vector<std::string> reading_notes(const std::filesystem::path& path, const Recording& recording) {
+  std::vector<std::string> notes;
+  if (!recording.fault.empty()) notes.push_back(fmt::format("{}: {}", path.string(), recording.fault));
+  if (recording.source_channels > 1)
+    notes.push_back(
+        fmt::format("{}: {} channels mixed down to one", path.string(), recording.source_channels));
+  return notes;
 }
 
 double recording_seconds(const std::filesystem::path& path) {
   SF_INFO info{};
   const InputFile input = input_of(path);
-  const Sound sound = open(input, info);
+  const OpenSound sound(input.path(), info);
+  require_sound(sound, input);
   check_format(input.name(), info);
   return static_cast<double>(info.frames) / info.samplerate;
 }

@@ -42,8 +42,10 @@ const Column kColumns[] = {
     {"Level", "dB re full scale", true,
      [](const AnalysedPart& p) { return number_word(p.figures.level_db, 1); }},
     {"SNR", "dB", true, [](const AnalysedPart& p) { return number_word(p.figures.snr_db, 1); }},
-    {"Spectrum", "off by dB", true,
+    {"Spectrum", "dB off target", true,
      [](const AnalysedPart& p) { return number_word(p.figures.ltas_error_db, 2); }},
+    {"Spectrum", "dB off denoised", true,
+     [](const AnalysedPart& p) { return number_word(p.figures.ltas_denoised_error_db, 2); }},
     {"Modulation", "off by dB", true,
      [](const AnalysedPart& p) { return number_word(p.figures.modulation_error_db, 2); }},
 };

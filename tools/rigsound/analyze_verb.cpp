@@ -23,7 +23,7 @@ using namespace analysis;
 
 struct AnalyzeArguments {
   std::vector<std::string> inputs;
-  std::string situation = "normal", method = "click-nmf", shard = "1/1", report, sound_set, labels, rig,
+  std::string situation, method = "click-nmf", shard = "1/1", report, sound_set, labels, rig,
               bus_log;
   bool no_denoise = false, json = false;
   AnalyzerOptions options;
@@ -36,7 +36,7 @@ AnalyzerOptions options_of(const AnalyzeArguments& a) {
   options.labels = a.labels;
   options.rig = a.rig;
   options.bus_log = a.bus_log;
-  options.situation = *situation_by_name(a.situation);
+  if (!a.situation.empty()) options.situation = situation_by_name(a.situation);
   options.method = a.method == "paper" ? Method::kPaper : Method::kClickNmf;
   options.denoise = !a.no_denoise;
   options.report = a.report.empty() ? ReportSections::kSkip : ReportSections::kWrite;
@@ -60,6 +60,7 @@ FigureRow bank_row(const AnalysedPart& p) {
       .add("level_db", p.figures.level_db, "{:.2f}")
       .add("snr_db", p.figures.snr_db, "{:.2f}")
       .add("ltas_error_db", p.figures.ltas_error_db, "{:.2f}")
+      .add("ltas_denoised_error_db", p.figures.ltas_denoised_error_db, "{:.2f}")
       .add("modulation_error_db", p.figures.modulation_error_db, "{:.2f}")
       .add("source", p.part.recording.string());
 }
@@ -136,9 +137,10 @@ void add_analyze(cli::Verb& program) {
               "when in the recording the bus log begins, s; negative: before it")
       .needs(rig)
       .shows_default();
-  verb.option("--situation", a->situation, "of recordings without labels, which are taken whole")
-      .one_of({kSituationNames.begin(), kSituationNames.end()})
-      .shows_default();
+  verb.option("--situation", a->situation,
+              "says of recordings without labels that they drill, from end to end; otherwise they are normal "
+              "drilling where some is found")
+      .one_of({kSituationNames.begin(), kSituationNames.end()});
   verb.option("--jobs", o.jobs, "parts analysed at the same time; banks do not depend on it")
       .range(1, 256)
       .shows_default();

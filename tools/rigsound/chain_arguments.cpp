@@ -36,7 +36,7 @@ void add_chain_arguments(cli::Verb& verb, ChainArguments& arguments) {
 Recording read_input(const ChainArguments& arguments) {
   if (!arguments.dump.empty()) require_outside(arguments.dump, {arguments.input});
   Recording recording = read_recording_or_silence(arguments.input);
-  tell_mix_down(arguments.input, recording);
+  tell_how_read(arguments.input, recording);
   return recording;
 }
 

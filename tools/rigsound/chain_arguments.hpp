@@ -19,7 +19,7 @@ struct ChainArguments {
 /// IN.wav, --method, --jobs and --dump.
 void add_chain_arguments(cli::Verb& verb, ChainArguments& arguments);
 
-/// Reads the recording, which may be silent; tells on stderr when its channels were mixed down. Errors:
+/// Reads the recording, which may be silent; tells on stderr how. Errors:
 /// InputError.
 analysis::Recording read_input(const ChainArguments& arguments);
 

@@ -6,14 +6,13 @@
 
 namespace rigsound::tools {
 
-void tell_mix_down(const std::string& file, const analysis::Recording& recording) {
-  const std::string note = analysis::mix_down_note(file, recording);
-  if (!note.empty()) fmt::print(stderr, "{}\n", note);
+void tell_how_read(const std::string& file, const analysis::Recording& recording) {
+  for (const std::string& note : analysis::reading_notes(file, recording)) fmt::print(stderr, "{}\n", note);
 }
 
 analysis::Recording read_whole(const std::string& file, std::string_view subject) {
   analysis::Recording recording = analysis::read_recording(file, {}, subject);
-  tell_mix_down(file, recording);
+  tell_how_read(file, recording);
   return recording;
 }
 

@@ -8,10 +8,10 @@
 
 namespace rigsound::tools {
 
-/// One line on stderr when the channels of a recording were mixed down.
-void tell_mix_down(const std::string& file, const analysis::Recording& recording);
+/// analysis::reading_notes on stderr.
+void tell_how_read(const std::string& file, const analysis::Recording& recording);
 
-/// analysis::read_recording of the whole file, and tell_mix_down.
+/// analysis::read_recording of the whole file, and tell_how_read.
 analysis::Recording read_whole(const std::string& file, std::string_view subject);
 
 }  // namespace rigsound::tools

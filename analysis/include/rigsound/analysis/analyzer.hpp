@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,8 @@ struct AnalyzerOptions {
   std::filesystem::path rig;                  ///< describes the bus of bus logs; empty: they are not read
   std::filesystem::path bus_log;  ///< of the one input; empty: STEM.log beside each recording, if it is there
   double bus_log_offset_s = 0;    ///< when in the recording the bus log begins; negative: before it
-  Situation situation = Situation::kNormal;  ///< of recordings without labels, taken whole
+  std::optional<Situation> situation;  ///< of recordings without labels, taken whole; none: nobody has said
+                                       ///< that they hold drilling, and the verdict decides
   Method method = Method::kClickNmf;
   bool denoise = true;        ///< false: recordings are taken as clean
   int clicks = 10;            ///< in a bank, at most
@@ -39,6 +41,7 @@ struct Part {
   std::filesystem::path
       labels;  ///< file of its label, or the bus log; empty: the part is the whole recording
   Label label;
+  bool labelled = true;  ///< a person or a bus says that it drills
 
   bool whole() const { return labels.empty(); }
 };

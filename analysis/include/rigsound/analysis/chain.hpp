@@ -15,6 +15,7 @@ enum class Method { kClickNmf, kPaper };
 struct ChainOptions {
   Method method = Method::kClickNmf;
   bool denoise = true;         ///< false: the recording is taken as clean
+  bool labelled = false;       ///< a person says that it drills: what speaks against it is a doubt
   unsigned seed = 0;           ///< of the random start of the factorisation
   std::filesystem::path dump;  ///< folder for intermediate signals; empty: none
   int jobs = 1;  ///< threads for the segments of a long recording; the result is the same for any number
@@ -24,7 +25,7 @@ struct ChainOptions {
 
 struct ChainResult {
   bool drilling_found = false;
-  std::string reason;  ///< why not, when nothing was found
+  std::string reason;  ///< why not, when nothing was found; of a labelled recording the doubt
   ClickTrain clicks;
   std::vector<float> drilling;     ///< the recording without its background, same length and level
   std::vector<double> signal_psd;  ///< mean modelled power of the drilling, per STFT bin (257 bins)
@@ -40,7 +41,8 @@ struct DrillingSegment {
 };
 
 /// A recording as a whole and in its segments. There is drilling when one segment holds some; the clicks of
-/// `joined` are those that count in `drilling`.
+/// `joined` are those that count in `drilling`. Of a labelled recording in which no segment passes for
+/// drilling, those with enough clicks do.
 struct SegmentedResult {
   ChainResult joined;
   int segments = 0;                       ///< with and without drilling

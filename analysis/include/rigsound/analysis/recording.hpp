@@ -16,6 +16,7 @@ struct Recording {
   long source_frames = 0;   ///< samples read, at the file's own rate
   bool silent = false;      ///< holds no sound at all, a constant offset at most
   double clipped = 0;       ///< share of them on flat tops, 0...1
+  std::string fault;        ///< of the file, which was read all the same; empty: none
 };
 
 constexpr int kMinSourceRate = 16000;  ///< Hz; below it the clicks' bandwidth is not there
@@ -36,8 +37,9 @@ Recording read_recording(const std::filesystem::path& path, const Stretch& stret
 /// The whole file, as above, but a silent one is no error. Thread: OFF.
 Recording read_recording_or_silence(const std::filesystem::path& path);
 
-/// "FILE: 6 channels mixed down to one", for people; empty when there was one. Thread: OFF.
-std::string mix_down_note(const std::filesystem::path& path, const Recording& recording);
+/// What people should know of how it was read, a line each: "FILE: 6 channels mixed down to one", a fault of
+/// the file. Thread: OFF.
+std::vector<std::string> reading_notes(const std::filesystem::path& path, const Recording& recording);
 
 /// Length of the file. Errors: InputError as above. Thread: OFF.
 double recording_seconds(const std::filesystem::path& path);

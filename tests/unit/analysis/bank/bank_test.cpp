@@ -214,6 +214,16 @@ TEST_CASE("a bank from true clicks plays with the level and spectrum of the clip
   }
 }
 
+TEST_CASE("two figures of the spectrum: against what the bank aims at, and against the denoised recording") {
+  ChainResult taken = perfect_result(103, 4);  // 6 dB of the drilling above 2 kHz went with the background
+  taken.output_psd.assign(257, 1e-3), taken.noise_psd.assign(257, 1e-4), taken.signal_psd = taken.output_psd;
+  for (std::size_t bin = 22; bin < 257; ++bin) taken.signal_psd[bin] *= 4;
+  const BankFigures figures = build_bank(alone(taken), Method::kClickNmf, 10, "clip").figures;
+  CHECK(figures.ltas_error_db < 0.6);
+  CHECK(figures.ltas_denoised_error_db > 2);
+  CHECK(figures.ltas_denoised_error_db < 3.5);
+}
+
 TEST_CASE("level follows the statistics: missed strikes make the same clicks quieter") {
   const BuiltBank built = build_bank(alone(perfect_result(103, 4)), Method::kClickNmf, 10, "clip");
   ClickBank steady = built.bank, missing = built.bank;

@@ -109,13 +109,14 @@ TEST_CASE("channels are averaged, however many, and said") {
   const fs::path file = write(folder.path / "six.wav", six, 48000, 6);
   const Recording surround = read_recording(file);
   CHECK(surround.source_channels == 6);
-  CHECK(mix_down_note(file, surround) == file.string() + ": 6 channels mixed down to one");
+  CHECK(reading_notes(file, surround) ==
+        std::vector<std::string>{file.string() + ": 6 channels mixed down to one"});
   for (size_t n = 0; n < 48000; n += 977) CHECK(surround.mono[n] == doctest::Approx(0.5 * six[6 * n + 5]));
   std::vector<float> frames;
   for (const float x : tone(48000, 300, 48000)) frames.push_back(x), frames.push_back(0.5f * x);
   const Recording recording = read_recording(write(folder.path / "stereo.wav", frames, 48000, 2));
   CHECK(recording.source_channels == 2);
-  CHECK(mix_down_note("a.wav",
+  CHECK(reading_notes("a.wav",
                       read_recording(write(folder.path / "mono.wav", tone(48000, 300, 48000), 48000, 1)))
             .empty());
   REQUIRE(recording.mono.size() == 48000);
