@@ -50,6 +50,7 @@ ControlOptions read_control(TomlTable table, const std::filesystem::path& folder
   ControlOptions control;
   read(table, control);
   control.mode_bits = mode_bits(table, control.mode);
+  control.socket_line = table.line_of("socket");
   control.group_line = table.line_of("group");
   check_tcp(table, control);
   if (!control.token_file.empty())

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 
 #include "rig/allow.hpp"
 #include "rig/sections.hpp"
+#include "rigsound/file/file_kind.hpp"
 #include "rigsound/modbus/exchange.hpp"
 #include "rigsound/socket/host_port.hpp"
 #include "toml/toml_reader.hpp"
@@ -99,6 +101,11 @@ void take_host(const TomlTable& table, ModbusOptions& options) {
 
 void require_device(TomlTable& table, ModbusOptions& options) {
   table.required_text("address", "the serial device, e.g. \"/dev/ttyUSB0\"");
+  std::error_code error;
+  const std::filesystem::file_type type = std::filesystem::status(options.address, error).type();
+  if (!kind_word(type).empty() && type != std::filesystem::file_type::character)
+    table.fail("address", "\"" + options.address + "\" is " + std::string(kind_word(type)) +
+                              ", expected a serial device");
   options.host.clear();
   options.port = 0;
 }

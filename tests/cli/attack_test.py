@@ -5,6 +5,7 @@ import os
 import resource
 import signal
 import socket
+import subprocess
 import sys
 import threading
 import time
@@ -97,6 +98,43 @@ class Attack(DaemonCase):
         daemon.send_signal(signal.SIGTERM)
         self.assertEqual(daemon.wait(timeout=FAR_LESS_S), 0)
         figure(f'SIGTERM obeyed, {what}', time.monotonic() - start)
+
+
+class Paths(DaemonCase):
+    """A slip of the pen in a path costs no file."""
+    def there(self):
+        return {path: path.read_bytes() if path.is_file() else None for path in self.folder.rglob('*')}
+
+    def run_both(self, socket_path, *words):
+        """What `check` and a start say, one line each, and that they leave everything as it is."""
+        self.rig.write_text(f'[audio]\ndevice = "null"\n[sound]\nset = "set"\n[control]\nsocket = "{socket_path}"\n')
+        before = self.there()
+        said = []
+        for program in ([sys.argv[1], 'check', self.rig], [sys.argv[2], self.rig, *words]):
+            result = subprocess.run(program, capture_output=True, text=True, timeout=PATIENCE_S)
+            said.append((result.returncode, result.stderr))
+        self.assertEqual(self.there(), before)
+        return said
+
+    def test_a_socket_that_names_something_else(self):
+        (self.folder / 'notes.txt').write_text('mine')
+        (self.folder / 'notes').mkdir()
+        for path, kind in ((self.folder / 'notes.txt', 'a file'), (self.folder / 'notes', 'a folder'), ('/dev/null', 'a device')):
+            wrong = (1, f'{self.rig}:6: control.socket: "{path}" is {kind}, expected a socket, or nothing yet\n')
+            self.assertEqual(self.run_both(path), [wrong, wrong])
+
+    def test_a_folder_of_sessions_that_is_none(self):
+        for name in ('notes.1.txt', 'notes.2.txt', 'notes.3.txt', 'notes.txt'):
+            (self.folder / name).write_text(name)
+        for path in (self.rig, self.folder / 'notes.txt', '/dev/null'):
+            _, started = self.run_both(self.socket, '--session', path)
+            self.assertEqual(started, (1, f'{path}: is no folder, expected one for sessions, or a new name\n'))
+
+    def test_a_serial_line_that_is_a_file(self):
+        self.rig.write_text(f'[sound]\nset = "set"\n[[modbus]]\ntransport = "rtu"\naddress = "{self.rig}"\n'
+                            '[modbus.signals]\nrod_count = { table = "holding", address = 0, type = "uint16" }\n')
+        check = subprocess.run([sys.argv[1], 'check', self.rig], capture_output=True, text=True, timeout=PATIENCE_S)
+        self.assertEqual((check.returncode, check.stderr), (1, f'{self.rig}:5: modbus.address: "{self.rig}" is a file, expected a serial device\n'))
 
 
 class Devices(Attack):

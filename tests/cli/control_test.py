@@ -203,8 +203,10 @@ class Access(Case):
         self.rig.write_text(self.rig.read_text().replace(str(self.socket), str(self.rig)))
         before = self.rig.read_text()
         result = subprocess.run([RIGSOUNDD, self.rig, '--manual'], capture_output=True, text=True, timeout=PATIENCE_S)
-        self.assertEqual((result.returncode, self.rig.read_text()), (3, before))
-        self.assertIn('something that is no socket lies there', result.stderr)
+        check = subprocess.run([RIGSOUND, 'check', self.rig], capture_output=True, text=True, timeout=PATIENCE_S)
+        said = f'{self.rig}:9: control.socket: "{self.rig}" is a file, expected a socket, or nothing yet\n'
+        self.assertEqual((result.returncode, result.stderr, self.rig.read_text()), (1, said, before))
+        self.assertEqual((check.returncode, check.stdout, check.stderr), (1, '', said))
 
 
 class Tcp(Case):

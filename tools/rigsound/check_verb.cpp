@@ -7,6 +7,7 @@
 #include "check/check_json.hpp"
 #include "check/modbus_probe.hpp"
 #include "rigsound/config/rig.hpp"
+#include "rigsound/config/rig_paths.hpp"
 #include "rigsound/feed_reach.hpp"
 #include "rigsound/modbus/exchange.hpp"
 #include "verbs.hpp"
@@ -131,7 +132,7 @@ struct CheckArguments {
 
 void check(const CheckArguments& options) {
   config::Rig rig = config::load_rig(options.rig);
-  config::control_token(rig);
+  config::check_paths(rig);
   SoundSet sounds = config::load_sounds(rig);
   const CheckedRig checked = checked_rig(rig, sounds);
   const Engine engine = config::build_engine(rig, sounds);  // builds every table the daemon would

@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "control_conversation.hpp"
-#include "control_socket.hpp"
 #include "log.hpp"
 #include "metrics_page.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/monotonic_time.hpp"
 #include "rigsound/socket/tcp_listener.hpp"
+#include "socket_access.hpp"
 
 namespace rigsound::daemon {
 namespace {
@@ -32,6 +32,11 @@ std::unique_ptr<audio::Sink> make_sink(const audio::AudioOptions& options, audio
   return sink;
 }
 
+std::optional<session::SessionFolder> sessions_of(const SessionOptions& options) {
+  if (options.folder.empty()) return std::nullopt;
+  return session::SessionFolder(options.folder, options.limit_bytes);
+}
+
 void sleep_s(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
 }  // namespace
@@ -39,10 +44,11 @@ void sleep_s(double seconds) { std::this_thread::sleep_for(std::chrono::duration
 Daemon::Daemon(const DaemonOptions& options)
     : buses_(options.buses),
       loaded_(load(options.rig, buses_)),
+      sessions_(sessions_of(options.session)),
       exchange_(loaded_.rig.safety),
       sink_(make_sink(loaded_.rig.audio, clock_, card_)),
       audio_(std::move(loaded_.engine), *sink_, exchange_.handoff()),
-      recorder_(options.session, audio_.records(), audio_.figures()),
+      recorder_(std::move(sessions_), audio_.records(), audio_.figures()),
       start_s_(monotonic_s()) {
   open_sockets();
   start_feeds();
@@ -56,7 +62,6 @@ Daemon::Daemon(const DaemonOptions& options)
 Daemon::~Daemon() {
   feeds_.clear();
   audio_.stop();
-  remove_socket(loaded_.rig.control.socket);
 }
 
 void Daemon::open_sockets() {
@@ -66,7 +71,7 @@ void Daemon::open_sockets() {
     return [&self, token] { return std::make_unique<ControlConversation>(self, token); };
   };
   if (!control.socket.empty())
-    servers_.emplace_back(listen_unix(control.socket, access_of(loaded_.rig)),
+    servers_.emplace_back(control_socket_.emplace(control.socket, access_of(loaded_.rig)).take(),
                           LineServer::Protocol{"\n", kControlIdle_s, talk("")});
   if (!control.tcp.empty())
     servers_.emplace_back(

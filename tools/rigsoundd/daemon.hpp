@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,21 +19,28 @@
 #include "rigsound/audio/null_sink.hpp"
 #include "rigsound/audio/sound_card.hpp"
 #include "rigsound/osc/osc_bus.hpp"
+#include "rigsound/socket/unix_listener.hpp"
 #include "service_manager.hpp"
 #include "state_exchange.hpp"
 
 namespace rigsound::daemon {
 
+struct SessionOptions {
+  std::filesystem::path folder;           ///< of sessions; empty: nothing is recorded
+  std::uint64_t limit_bytes = 256 << 20;  ///< of all sessions together
+};
+
 struct DaemonOptions {
   std::string rig;
-  RecorderOptions session;
+  SessionOptions session;
   config::Buses buses = config::Buses::kRead;  ///< kLeftOut: none is opened, users set the signals
 };
 
 /// Thread: main, all of it; construct with the signals of `signals` blocked in every thread.
 class Daemon : private DaemonControl, private osc::ControlListener {
  public:
-  /// Errors: InputError for the rig, DeviceError for the control socket. A missing card or bus is none.
+  /// Errors: InputError for the rig and its paths, before anything is opened; DeviceError for the control
+  /// socket. A missing card or bus is none.
   explicit Daemon(const DaemonOptions& options);
   ~Daemon() override;
 
@@ -111,6 +120,7 @@ class Daemon : private DaemonControl, private osc::ControlListener {
 
   config::Buses buses_;
   LoadedRig loaded_;
+  std::optional<session::SessionFolder> sessions_;  // looked at before a card is opened; the recorder's then
   StateExchange exchange_;
   audio::MonotonicClock clock_;
   audio::SoundCard* card_ = nullptr;  // sink_, when there is a card at all
@@ -119,6 +129,7 @@ class Daemon : private DaemonControl, private osc::ControlListener {
   Levels levels_;
   Recorder recorder_;
   std::vector<std::unique_ptr<Feed>> feeds_, leaving_;
+  std::optional<UnixListener> control_socket_;
   std::vector<LineServer> servers_;
   RigLoader loader_;
   ReloadQueue reload_queue_;

@@ -4,6 +4,7 @@
 
 #include "rigsound/audio/sample_format.hpp"
 #include "rigsound/config/fingerprint.hpp"
+#include "rigsound/config/rig_paths.hpp"
 
 namespace rigsound::daemon {
 namespace {
@@ -43,7 +44,9 @@ LoadedRig build(config::Rig rig) {
 }
 
 LoadedRig load(const std::filesystem::path& file, config::Buses buses) {
-  return build(config::load_rig(file, buses));
+  config::Rig rig = config::load_rig(file, buses);
+  config::check_paths(rig);
+  return build(std::move(rig));
 }
 
 LoadedRig load_for_reload(const config::Rig& running, config::Buses buses,

@@ -13,11 +13,6 @@ constexpr double kSilence_s = 2;
 
 }  // namespace
 
-Recorder::Recorder(const RecorderOptions& options, RunQueue& records, const AudioFigures& figures)
-    : records_(records), figures_(figures) {
-  if (!options.folder.empty()) folder_.emplace(options.folder, options.limit_bytes);
-}
-
 void Recorder::give_up(const std::string& why) {
   problem_ = why;
   writer_.reset();

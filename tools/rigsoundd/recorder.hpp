@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "audio_figures.hpp"
 #include "rigsound/session/session_folder.hpp"
@@ -14,16 +15,12 @@
 
 namespace rigsound::daemon {
 
-struct RecorderOptions {
-  std::filesystem::path folder;           ///< of sessions; empty: nothing is recorded
-  std::uint64_t limit_bytes = 256 << 20;  ///< of all sessions together
-};
-
 /// Each run is one session. Thread: CT, one at a time.
 class Recorder {
  public:
-  /// Errors: InputError when `options.folder` is something else.
-  Recorder(const RecorderOptions& options, RunQueue& records, const AudioFigures& figures);
+  /// Without a folder nothing is recorded.
+  Recorder(std::optional<session::SessionFolder> folder, RunQueue& records, const AudioFigures& figures)
+      : folder_(std::move(folder)), records_(records), figures_(figures) {}
 
   /// What the next run is rendered with; must be called before it begins.
   void expect_run(const session::SessionHeader& header) { header_ = header; }

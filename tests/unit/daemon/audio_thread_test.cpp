@@ -84,7 +84,7 @@ struct Setup {
   StateExchange exchange{SafetyOptions{}};
   KeepingSink sink;
   AudioThread audio{engine(), sink, exchange.handoff()};
-  Recorder recorder{{sessions, 1 << 20}, audio.records(), audio.figures()};
+  Recorder recorder{session::SessionFolder(sessions, 1 << 20), audio.records(), audio.figures()};
 };
 
 }  // namespace
@@ -127,7 +127,8 @@ TEST_CASE("A recorder that is not polled loses records, says so, and writes noth
 TEST_CASE("A folder that cannot be written stops the recording, not the sound") {
   Setup s;
   std::ofstream(s.folder / "file") << "mine";
-  Recorder recorder({s.folder / "file" / "sessions", 1 << 20}, s.audio.records(), s.audio.figures());
+  Recorder recorder(session::SessionFolder(s.folder / "file" / "sessions", 1 << 20), s.audio.records(),
+                    s.audio.figures());
   s.audio.start();
   while (s.audio.figures().blocks < 20) recorder.poll(0);
   recorder.poll(1);

@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
@@ -11,10 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "control_socket.hpp"
-#include "rigsound/device_error.hpp"
 #include "rigsound/socket/tcp_listener.hpp"
-#include "temporary_folder.hpp"
+#include "rigsound/socket/unix_listener.hpp"
 
 using namespace rigsound;
 using namespace rigsound::daemon;
@@ -43,12 +40,11 @@ struct Brackets : Conversation {
 
 struct Served {
   Served()
-      : server(listen_unix(path), {"\n", 10, [this] {
-                                     auto conversation = std::make_unique<Brackets>(news, missed);
-                                     last = conversation.get();
-                                     return conversation;
-                                   }}) {}
-  ~Served() { ::unlink(path.c_str()); }
+      : server(listener.take(), {"\n", 10, [this] {
+                                   auto conversation = std::make_unique<Brackets>(news, missed);
+                                   last = conversation.get();
+                                   return conversation;
+                                 }}) {}
 
   FileDescriptor client() const {
     sockaddr_un address{};
@@ -65,6 +61,7 @@ struct Served {
   std::string news;
   int missed = 0;
   Brackets* last = nullptr;  // conversation begun
+  UnixListener listener{path};
   LineServer server;
 };
 
@@ -276,48 +273,4 @@ TEST_CASE("A client that floods is closed before it has taken more than 64 KiB o
     s.server.serve();
   }
   CHECK(sent < (1 << 20));  // what the kernel keeps, and a request
-}
-
-namespace {
-
-struct SocketPath {
-  explicit SocketPath(const std::string& name) : text((folder.path / name).string()) {}
-  struct stat about() const {
-    struct stat s {};
-    REQUIRE(::lstat(text.c_str(), &s) == 0);
-    return s;
-  }
-  test::TemporaryFolder folder;
-  std::string text;
-};
-
-}  // namespace
-
-TEST_CASE("A dead socket is replaced, a living one is not; only user and group may use it") {
-  const SocketPath path("s");
-  { const FileDescriptor dead = listen_unix(path.text); }
-  const FileDescriptor alive = listen_unix(path.text);
-  CHECK_THROWS_AS(listen_unix(path.text), DeviceError);
-  CHECK((path.about().st_mode & 0777) == 0660);
-  CHECK_THROWS_AS(listen_unix(std::string(200, 'x')), DeviceError);
-}
-
-TEST_CASE("Mode and group of the socket are those asked for") {
-  const SocketPath path("s");
-  const gid_t own = ::getegid();
-  gid_t groups[64];
-  const int count = ::getgroups(64, groups);
-  const gid_t other = ::geteuid() == 0 ? own + 1 : count > 0 ? groups[count - 1] : own;
-  const FileDescriptor socket = listen_unix(path.text, {other, 0606});
-  CHECK((path.about().st_mode & 0777) == 0606);
-  CHECK(path.about().st_gid == other);
-}
-
-TEST_CASE("What is no socket stays, whether a rig names it as one or not") {
-  const SocketPath path("notes.txt");
-  path.folder.write("notes.txt", "mine");
-  CHECK(test::complaint([&] { listen_unix(path.text); }) ==
-        path.text + ": cannot listen: something that is no socket lies there");
-  remove_socket(path.text);
-  CHECK(test::content(path.text) == "mine");
 }

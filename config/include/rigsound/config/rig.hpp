@@ -20,6 +20,7 @@ namespace rigsound::config {
 
 struct ControlOptions {
   std::string socket = "/run/rigsound/control.sock";  ///< path of the control socket; empty: none
+  int socket_line = 0;                                ///< of the rig file, for messages
   std::string group;                                  ///< the socket's; empty: the daemon's own
   int group_line = 0;                                 ///< of the rig file, for messages
   std::string mode = "0660";                          ///< the socket's, octal
