@@ -17,6 +17,7 @@
 namespace rigsound::analysis {
 namespace {
 
+constexpr std::size_t kMostBytes = 16 << 20;
 constexpr std::string_view kGrammar =
     "expected start<TAB>end<TAB>situation [rods=N] [rock=NAME] [rpm=R] [feed=BAR] [percussion=BAR]";
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // some editors write it
@@ -99,7 +100,7 @@ Label parse(const Place& place, const std::string& text) {
 }  // namespace
 
 std::vector<Label> read_labels(const std::filesystem::path& path) {
-  const InputFile input(path, "label file of Audacity");
+  const InputFile input(path, "label file of Audacity", kMostBytes);
   std::ifstream in(input.path());
   std::vector<Label> labels;
   std::string text;

@@ -13,6 +13,8 @@
 namespace rigsound::analysis {
 namespace {
 
+constexpr std::size_t kMostBytes = 256 << 20;  // eight hours of rows 2 ms apart are less
+
 std::vector<std::string> cells(const std::string& line) {
   std::vector<std::string> found(1);
   for (const char c : line) {
@@ -27,7 +29,7 @@ std::vector<std::string> cells(const std::string& line) {
 }  // namespace
 
 TimeTable read_time_table(const std::filesystem::path& file, std::string_view column) {
-  const InputFile input(file, "CSV file");
+  const InputFile input(file, "CSV file", kMostBytes);
   std::ifstream in(input.path());
   std::string line;
   std::getline(in, line);

@@ -269,6 +269,8 @@ Dbc parse_dbc(std::string_view text, const std::string& file) {
   return Parser(text, file).parse();
 }
 
-Dbc load_dbc(const std::filesystem::path& file) { return parse_dbc(read_text(file), file.string()); }
+Dbc load_dbc(const std::filesystem::path& file) {
+  return parse_dbc(read_text(file, kDbcText), file.string());
+}
 
 }  // namespace rigsound::config

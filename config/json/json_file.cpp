@@ -10,6 +10,7 @@ namespace rigsound::config {
 namespace {
 
 constexpr int kMaxDepth = 32;
+constexpr std::size_t kMostObjects = 1024, kMostNumbers = 1 << 20;  // in a list
 constexpr Range kFormats{0, 1 << 20};
 
 std::string kind(const nlohmann::json& value) {
@@ -32,7 +33,8 @@ std::string kind(const nlohmann::json& value) {
 }  // namespace
 
 struct JsonFile::Document {
-  explicit Document(const std::filesystem::path& path) : file(path.string()), text(read_text(path)) {
+  explicit Document(const std::filesystem::path& path)
+      : file(path.string()), text(read_text(path, kModelText)) {
     if (const std::size_t deep = position_below(text, kMaxDepth); deep != kNowhere)
       refuse(line_at(text, deep), "has brackets more than " + std::to_string(kMaxDepth) +
                                       " levels deep, expected a file that rigsound writes");
@@ -84,6 +86,7 @@ JsonFile JsonFile::object(std::string_view key) const {
 std::vector<JsonFile> JsonFile::objects(std::string_view key) const {
   const nlohmann::json& list = value(key);
   if (!list.is_array()) fail_kind(key, list, "a list of objects");
+  require_at_most(kMostObjects, key, list, "objects");
   for (const nlohmann::json& item : list)
     if (!item.is_object()) fail(key, "holds " + kind(item) + ", expected objects { }");
   const std::vector<std::size_t> positions = item_positions(document_->text, position_of(key));
@@ -121,6 +124,7 @@ std::string JsonFile::text(std::string_view key) const {
 std::vector<float> JsonFile::floats(std::string_view key, const Range& range) const {
   const nlohmann::json& v = value(key);
   if (!v.is_array()) fail_kind(key, v, "a list of numbers, " + range.text());
+  require_at_most(kMostNumbers, key, v, "numbers");
   std::vector<float> list;
   for (const nlohmann::json& item : v) {
     if (!item.is_number()) fail(key, "holds " + kind(item) + ", expected numbers, " + range.text());
@@ -132,10 +136,10 @@ std::vector<float> JsonFile::floats(std::string_view key, const Range& range) co
 std::vector<std::array<double, 2>> JsonFile::pairs(std::string_view key, const Range& range,
                                                    std::size_t most) const {
   const nlohmann::json& v = value(key);
-  const std::string expected =
-      "at most " + std::to_string(most) + " pairs [b, c] of numbers, " + range.text();
+  const std::string pairs = "pairs [b, c] of numbers, " + range.text();
+  const std::string expected = "at most " + std::to_string(most) + " " + pairs;
   if (!v.is_array()) fail_kind(key, v, expected);
-  if (v.size() > most) fail(key, "is a list of " + std::to_string(v.size()) + ", expected " + expected);
+  require_at_most(most, key, v, pairs);
   std::vector<std::array<double, 2>> list;
   for (const nlohmann::json& pair : v) {
     if (!pair.is_array() || pair.size() != 2 || !pair[0].is_number() || !pair[1].is_number())
@@ -153,6 +157,13 @@ void JsonFile::require_format(int format) const {
 
 void JsonFile::fail_kind(std::string_view key, const nlohmann::json& found, std::string_view expected) const {
   fail(key, "is " + kind(found) + ", expected " + std::string(expected));
+}
+
+void JsonFile::require_at_most(std::size_t most, std::string_view key, const nlohmann::json& list,
+                               std::string_view what) const {
+  if (list.size() > most)
+    fail(key, "is a list of " + std::to_string(list.size()) + ", expected at most " + std::to_string(most) +
+                  " " + std::string(what));
 }
 
 void JsonFile::fail(std::string_view key, std::string_view problem) const {

@@ -45,6 +45,8 @@ class JsonFile {
   struct Document;
   JsonFile(const JsonFile& outer, const nlohmann::json& item, const std::string& path, std::size_t position);
   const nlohmann::json& value(std::string_view key) const;
+  void require_at_most(std::size_t most, std::string_view key, const nlohmann::json& list,
+                       std::string_view what) const;
   [[noreturn]] void fail_kind(std::string_view key, const nlohmann::json& found,
                               std::string_view expected) const;
   double checked(std::string_view key, const nlohmann::json& value, const Range& range) const;

@@ -163,7 +163,7 @@ void require_playable(const Rig& rig, const TomlTable& root) {
 }  // namespace
 
 Rig load_rig(const std::filesystem::path& file, Buses buses) {
-  return parse_rig(read_text(file), file, buses);
+  return parse_rig(read_text(file, kRigText), file, buses);
 }
 
 Rig parse_rig(std::string_view text, const std::filesystem::path& file, Buses buses) {

@@ -82,7 +82,7 @@ void merge_index(const fs::path& sound_set, const SoundSetIndex& additions) {
   if (exists && added.empty()) return;
 
   make_folder(sound_set);
-  std::string text = exists ? read_text(file) : index_preamble();
+  std::string text = exists ? read_text(file, kIndexText) : index_preamble();
   if (!text.empty() && text.back() != '\n') text += '\n';
   write_file(file, text + added);
 }

@@ -5,6 +5,7 @@
 #include "rigsound/machine/input_error.hpp"
 #include "sound_set/index_text.hpp"
 #include "sound_set/names.hpp"
+#include "text/read_text.hpp"
 #include "toml/toml_reader.hpp"
 
 namespace rigsound::config {
@@ -85,7 +86,8 @@ SoundSetIndex load_index(const std::filesystem::path& sound_set) {
   std::error_code error;
   if (!std::filesystem::is_directory(sound_set, error))
     throw InputError(sound_set.string(), "is no sound set, expected a folder with soundset.toml");
-  TomlTable root = TomlTable::read(sound_set / "soundset.toml");
+  const std::filesystem::path file = sound_set / "soundset.toml";
+  TomlTable root = TomlTable::parse(read_text(file, kIndexText), file.string());
   const std::int64_t format = root.integer("format", 0, kFormats);
   if (format != kIndexFormat)
     root.fail("format", "version " + std::to_string(format) + " is not known, expected " +

@@ -4,6 +4,8 @@
 
 namespace rigsound::config {
 
-std::string read_text(const std::filesystem::path& file) { return InputFile(file, "file").content(); }
+std::string read_text(const std::filesystem::path& file, const TextKind& kind) {
+  return InputFile(file, kind.name, kind.most_bytes).content();
+}
 
 }  // namespace rigsound::config

@@ -34,8 +34,6 @@ TomlTable::TomlTable(std::shared_ptr<const std::string> file, std::shared_ptr<co
                      std::string path)
     : file_(std::move(file)), table_(std::move(table)), path_(std::move(path)) {}
 
-TomlTable TomlTable::read(const std::filesystem::path& file) { return parse(read_text(file), file.string()); }
-
 TomlTable TomlTable::parse(std::string_view text, const std::string& file) {
   try {
     auto table = std::make_shared<const toml::table>(toml::parse(text, file));

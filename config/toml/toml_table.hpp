@@ -21,9 +21,8 @@ namespace rigsound::config {
 /// `FILE:LINE: KEY: what is wrong, what was expected` when the value is of another type or out of range.
 class TomlTable {
  public:
-  /// Parses a whole file. Errors: InputError with the line of the mistake.
-  static TomlTable read(const std::filesystem::path& file);
-  static TomlTable parse(std::string_view text, const std::string& file);  ///< `file` is for messages
+  /// The text of a whole file; `file` is for messages. Errors: InputError with the line of the mistake.
+  static TomlTable parse(std::string_view text, const std::string& file);
 
   bool has(std::string_view key) const { return table_->contains(key); }
   void expect(std::string_view key) { known(key); }  ///< marks a key as known

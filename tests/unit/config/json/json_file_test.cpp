@@ -61,6 +61,25 @@ TEST_CASE("a file nested deeper than 32 levels is refused in one line, whatever 
   CHECK(said(300000).find(":2: has brackets more than 32 levels deep") != std::string::npos);
 }
 
+TEST_CASE("lists longer than any model has, and files larger, are refused") {
+  TemporaryFolder folder;
+  const auto file =
+      folder.write("a.json", "{\"objects\": [{}" + repeated(",{}", 1024) + "], \"numbers\": [1" +
+                                 repeated(",1", 1 << 20) + "], \"pairs\": [[1, 2], [3, 4]]}");
+  const JsonFile json(file);
+  CHECK(complaint([&] { json.objects("objects"); }) ==
+        file.string() + ":1: objects: is a list of 1025, expected at most 1024 objects");
+  CHECK(complaint([&] {
+          json.floats("numbers", {0, 1});
+        }) == file.string() + ":1: numbers: is a list of 1048577, expected at most 1048576 numbers");
+  CHECK(complaint([&] {
+          json.pairs("pairs", {0, 9}, 1);
+        }) == file.string() + ":1: pairs: is a list of 2, expected at most 1 pairs [b, c] of numbers, 0...9");
+  folder.write("a.json", "{}" + std::string(16 << 20, ' '));
+  CHECK(complaint([&] { const JsonFile large(file); }) ==
+        file.string() + ": is of 17 MiB, expected a model of at most 16 MiB");
+}
+
 TEST_CASE("messages name a wrong value's kind and never print what it holds") {
   TemporaryFolder folder;
   const std::string big = repeated("[1,", 20) + "1" + repeated("]", 20);
