@@ -21,6 +21,7 @@ class CanCapture : public CanReader {
 
   bool next(CanRecord& record) override;
   int line() const override { return 0; }
+  double share() const override { return file_.share(); }
 
  private:
   CaptureFile file_;

@@ -42,7 +42,7 @@ bool begins_capture(const std::string& start) {
   return false;
 }
 
-CaptureFile::CaptureFile(const LogFile& file) : name_(file.name()), in_(file.path(), std::ios::binary) {
+CaptureFile::CaptureFile(const LogFile& file) : name_(file.name()), in_(file.path(), std::ios::binary), bytes_(file.bytes()) {
   Bytes start;
   if (!in_ || !read(start, 4)) throw InputError(name_, "is no capture, expected a pcap or a pcapng");
   if (!begins_capture({start.begin(), start.end()}))
@@ -59,6 +59,7 @@ bool CaptureFile::read(Bytes& bytes, std::size_t size) {
   in_.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
   if (in_.gcount() == 0 && size > 0) return false;
   if (in_.gcount() != static_cast<std::streamsize>(size)) fail("was cut off");
+  read_ += static_cast<double>(size);
   return true;
 }
 

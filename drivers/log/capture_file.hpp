@@ -30,6 +30,8 @@ class CaptureFile {
   /// The next packet, or false at the end. Errors: InputError when the file was cut off or is damaged.
   bool next(CapturedPacket& packet);
 
+  double share() const { return share_of(read_, bytes_); }  ///< of the file that has been read, 0...1
+
  private:
   struct Interface {
     int link_type = 0;
@@ -58,6 +60,7 @@ class CaptureFile {
 
   std::string name_;
   std::ifstream in_;
+  double bytes_, read_ = 0;  // of the file
   bool pcapng_ = false, big_endian_ = false;
   std::vector<Interface> interfaces_;  // of a pcap: just one
   std::int64_t last_ns_ = 0;

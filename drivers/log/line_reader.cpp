@@ -20,6 +20,7 @@ constexpr std::size_t kBuffer = 1 << 17;
 LineReader::LineReader(const LogFile& file, std::unique_ptr<CanLineFormat> format)
     : file_(file.name()),
       fd_(::open(file.path().c_str(), O_RDONLY | O_CLOEXEC)),
+      bytes_(file.bytes()),
       buffer_(kBuffer),
       format_(std::move(format)) {
   if (!fd_) throw InputError(file_, "cannot be opened, expected a readable bus log");
@@ -35,6 +36,7 @@ bool LineReader::read_more() {
   while (got < 0 && errno == EINTR);
   if (got < 0) throw InputError(file_, line_ + 1, {}, "cannot be read further");
   end_ += static_cast<std::size_t>(got);
+  read_ += static_cast<double>(got);
   return got > 0;
 }
 

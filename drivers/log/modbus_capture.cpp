@@ -110,6 +110,8 @@ bool ModbusCapture::next(TimedExchange& exchange) {
   return true;
 }
 
+double ModbusCapture::share() const { return file_->share(); }
+
 const CaptureCounts& ModbusCapture::counts() const { return streams_->counts; }
 
 }  // namespace rigsound::log

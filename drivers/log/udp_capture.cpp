@@ -12,6 +12,8 @@ UdpCapture::UdpCapture(const LogFile& file, std::vector<int> ports)
 
 UdpCapture::~UdpCapture() = default;
 
+double UdpCapture::share() const { return file_->share(); }
+
 bool UdpCapture::next(TimedDatagram& datagram) {
   CapturedPacket captured;
   while (file_->next(captured)) {

@@ -1,12 +1,15 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
+#include <optional>
 
 #include "decode/row_text.hpp"
 #include "decode/state_rows.hpp"
 #include "log_arguments.hpp"
 #include "log_notes.hpp"
+#include "progress_bar.hpp"
 #include "refused_values.hpp"
 #include "rigsound/config/rig.hpp"
 #include "rigsound/log/change_trace.hpp"
@@ -70,14 +73,33 @@ class LogRows {
   std::array<bool, kMaxBooms> told_{};
 };
 
+/// A bar beside rows that go elsewhere: on one terminal it would lie between them.
+class BarBesideRows {
+ public:
+  BarBesideRows() {
+    if (isatty(STDOUT_FILENO) == 0) bar_.emplace();
+  }
+  void show(double share) {
+    if (bar_) bar_->show(share);
+  }
+
+ private:
+  std::optional<ProgressBar> bar_;
+};
+
 void decode_log(const DecodeArguments& options) {
   const config::Rig rig = config::load_rig(options.rig);
   const std::unique_ptr<log::BusLog> log =
       log::open_log(options.log.log, config::buses_of(rig), log_options(options.log));
   StateRows rows(rig, options.form(), stdout);
   LogRows changes(rig, rows);
-  const SignalBoard board = log::trace_changes(*log, rig.safety, watched(rig),
-                                               [&](const log::Change& change) { changes.add(change); });
+  std::optional<BarBesideRows> bar(std::in_place);
+  const SignalBoard board =
+      log::trace_changes(*log, rig.safety, watched(rig), [&](const log::Change& change) {
+        changes.add(change);
+        bar->show(log->share());
+      });
+  bar.reset();
   changes.add_situations();
   rows.finish();
   print_log_notes(options.log.log, *log);
@@ -92,8 +114,12 @@ void decode_session(const DecodeArguments& options) {
   const double block_s = header.block / header.sample_rate;
   StateRows rows(rig, options.form(), stdout);
   session::SessionChanges changes = states.changes();
-  for (session::Change change; changes.next(change);)
+  std::optional<BarBesideRows> bar(std::in_place);
+  for (session::Change change; changes.next(change);) {
     rows.add_state(static_cast<double>(change.block) * block_s, change.state);
+    bar->show(static_cast<double>(change.block) / static_cast<double>(std::max<std::uint64_t>(1, states.blocks())));
+  }
+  bar.reset();
   rows.finish();
   fmt::print(stderr, "{}: {:.1f} s, played by rigsound {} at {:g} Hz in blocks of {} frames, seed {}\n",
              file.string(), static_cast<double>(states.blocks()) * block_s, header.program,

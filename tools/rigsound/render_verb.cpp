@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -39,25 +39,30 @@ struct RenderArguments {
   bool no_hash = false, json = false;
 };
 
+/// How much of a source lies before a block, 0...1.
+using Share = std::function<double(std::uint64_t)>;
+
+Share share_of_blocks(double blocks) {
+  return [blocks](std::uint64_t number) { return static_cast<double>(number) / std::max(1.0, blocks); };
+}
+
 /// Shows on its way how far a source has come.
 class ShownStates : public audio::StateSource {
  public:
-  /// `last`: how many blocks there will be; 0: nobody knows.
-  ShownStates(audio::StateSource& states, std::uint64_t last) : states_(states), last_(last) {}
+  ShownStates(audio::StateSource& states, Share share) : states_(states), share_(std::move(share)) {}
   const MachineState* state_of(std::uint64_t number) override {
-    if (last_ > 0) bar_.show(std::min(1.0, static_cast<double>(number) / static_cast<double>(last_)));
+    bar_.show(std::min(1.0, share_(number)));
     return states_.state_of(number);
   }
 
  private:
   audio::StateSource& states_;
-  std::uint64_t last_;
+  Share share_;
   ProgressBar bar_;
 };
 
 /// Renders the source, from its beginning on, and prints the figures; --from and --to choose what OUT holds.
-/// `source_s`: length of the source; 0: not known before it ends.
-void render(config::Rig& rig, audio::StateSource& states, double source_s, audio::SampleFormat samples,
+void render(config::Rig& rig, audio::StateSource& states, const Share& share, audio::SampleFormat samples,
             const RenderArguments& options) {
   SoundSet sounds = config::load_sounds(rig);
   const bool built_in_diesel = sounds.diesels.front().name == kDefaultDiesel;
@@ -72,9 +77,10 @@ void render(config::Rig& rig, audio::StateSource& states, double source_s, audio
   audio::FileSink file(options.out, format, hash);
   audio::LateSink sink(file, part.first);
   audio::EndingStates source(states, part.last);
-  const double shown_s = std::min(source_s, options.to_s);
-  std::optional<ShownStates> shown(
-      std::in_place, source, static_cast<std::uint64_t>(shown_s * rig.engine.sample_rate / rig.engine.block));
+  const Share share_of_part = share_of_blocks(static_cast<double>(part.last));
+  std::optional<ShownStates> shown(std::in_place, source, [&](std::uint64_t number) {
+    return std::max(share(number), share_of_part(number));
+  });
   const auto start = std::chrono::steady_clock::now();
   std::vector<float> block = audio::make_block(engine.options());
   const std::uint64_t blocks = audio::run_blocks(engine, *shown, sink, block);
@@ -108,20 +114,8 @@ config::Rig rig_of(const RenderArguments& options, config::Buses buses) {
 void render_states(const RenderArguments& options) {
   config::Rig rig = rig_of(options, config::Buses::kLeftOut);
   session::TableStates states(options.states, rig.engine);
-  render(rig, states, states.end_s(), audio::SampleFormat::kFloat, options);
-}
-
-/// How long a log is, when anybody sees the progress: it is read once more for that. 0: not known.
-double length_of_log(const config::Rig& rig, const RenderArguments& options) {
-  std::error_code error;
-  if (!ProgressBar().seen() || !std::filesystem::is_regular_file(options.log.log, error)) return 0;
-  const std::unique_ptr<log::BusLog> log =
-      log::open_log(options.log.log, config::buses_of(rig), log_options(options.log));
-  SignalBoard board;
-  double end_s = 0;
-  for (std::optional<double> next = log->next_s(); next; next = log->next_s())
-    log->read_until(end_s = *next, board);
-  return end_s;
+  render(rig, states, share_of_blocks(states.end_s() * rig.engine.sample_rate / rig.engine.block),
+         audio::SampleFormat::kFloat, options);
 }
 
 void render_log(const RenderArguments& options) {
@@ -129,7 +123,8 @@ void render_log(const RenderArguments& options) {
   const std::unique_ptr<log::BusLog> log =
       log::open_log(options.log.log, config::buses_of(rig), log_options(options.log));
   session::LogStates states(*log, rig.safety, rig.engine);
-  render(rig, states, length_of_log(rig, options), audio::SampleFormat::kFloat, options);
+  render(
+      rig, states, [&](std::uint64_t) { return log->share(); }, audio::SampleFormat::kFloat, options);
   print_log_notes(options.log.log, *log);
   print_refused_values(rig, states.board());
 }
@@ -148,8 +143,7 @@ void render_session(RenderArguments options) {
   if (fingerprint != header.fingerprint)
     throw InputError(options.session, "was played with another rig or sound set (" + header.fingerprint +
                                           "), expected that of " + options.rig + " (" + fingerprint + ")");
-  render(rig, states, static_cast<double>(states.blocks()) * header.block / header.sample_rate, header.format,
-         options);
+  render(rig, states, share_of_blocks(static_cast<double>(states.blocks())), header.format, options);
   if (states.bytes_ignored() > 0)
     fmt::print(stderr, "{}: the last {} bytes are not whole and were left out\n", options.session,
                states.bytes_ignored());

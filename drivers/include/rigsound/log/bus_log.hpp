@@ -40,6 +40,8 @@ class BusLog {
   /// Puts every entry up to `until_s` on the board; returns whether one had a reading. Errors: InputError.
   virtual bool read_until(double until_s, SignalBoard& board) = 0;
 
+  virtual double share() const = 0;  ///< of the file that has been read, 0...1
+
   /// What a user should know of a log read to its end.
   virtual std::vector<LogNote> notes() const = 0;
 };

@@ -32,6 +32,7 @@ class CanLog : public BusLog {
   /// Errors: InputError with the line for a log that was cut off.
   std::optional<double> next_s() override;
   bool read_until(double until_s, SignalBoard& board) override;
+  double share() const override { return reader_->share(); }
   std::vector<LogNote> notes() const override;
 
  private:

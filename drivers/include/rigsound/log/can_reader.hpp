@@ -28,7 +28,8 @@ class CanReader {
   /// identifier.
   virtual bool next(CanRecord& record) = 0;
 
-  virtual int line() const = 0;  ///< of the last frame; 0: the file has no lines
+  virtual int line() const = 0;      ///< of the last frame; 0: the file has no lines
+  virtual double share() const = 0;  ///< of the file that has been read, 0...1
   virtual std::string remark() const {
     return {};
   }  ///< what a user should know of the stamps; empty: nothing

@@ -18,11 +18,15 @@ class LogFile {
 
   const std::string& name() const { return file_.name(); }     ///< for messages
   const std::filesystem::path& path() const { return path_; }  ///< to be opened while this lives
+  double bytes() const;                                        ///< how long it is, unpacked
 
  private:
   InputFile file_;
   std::filesystem::path path_;
   FileDescriptor unpacked_;
 };
+
+/// Of a file of `bytes`, `read` of which were read; 1 when its length is not known.
+inline double share_of(double read, double bytes) { return read < bytes ? read / bytes : 1; }
 
 }  // namespace rigsound::log

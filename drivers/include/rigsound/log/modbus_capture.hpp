@@ -46,6 +46,7 @@ class ModbusCapture {
   /// The next exchange, or false at the end. Errors: InputError when the file was cut off.
   bool next(TimedExchange& exchange);
 
+  double share() const;  ///< of the file that has been read, 0...1
   const CaptureCounts& counts() const;
 
  private:

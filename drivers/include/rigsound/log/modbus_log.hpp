@@ -24,6 +24,7 @@ class ModbusLog : public BusLog {
 
   std::optional<double> next_s() override;
   bool read_until(double until_s, SignalBoard& board) override;
+  double share() const override { return capture_->share(); }
   std::vector<LogNote> notes() const override;
 
  private:

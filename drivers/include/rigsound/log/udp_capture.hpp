@@ -29,6 +29,8 @@ class UdpCapture {
   /// The next datagram, or false at the end. Errors: InputError when the file was cut off.
   bool next(TimedDatagram& datagram);
 
+  double share() const;  ///< of the file that has been read, 0...1
+
  private:
   std::unique_ptr<CaptureFile> file_;
   std::vector<int> ports_;
