@@ -42,24 +42,30 @@ bool begins_capture(const std::string& start) {
   return false;
 }
 
-CaptureFile::CaptureFile(const LogFile& file) : name_(file.name()), in_(file.path(), std::ios::binary), bytes_(file.bytes()) {
+CaptureFile::CaptureFile(const LogFile& file) : name_(file.name()), in_(file.path(), std::ios::binary) {
+  std::error_code error;
+  bytes_ = left_ = std::filesystem::file_size(file.path(), error);
   Bytes start;
-  if (!in_ || !read(start, 4)) throw InputError(name_, "is no capture, expected a pcap or a pcapng");
+  if (!in_ || error || left_ < 4 || !read(start, 4))
+    throw InputError(name_, "is no capture, expected a pcap or a pcapng");
   if (!begins_capture({start.begin(), start.end()}))
     throw InputError(name_, "is no capture, expected a pcap or a pcapng");
   pcapng_ = start[0] == 0x0a;
-  if (pcapng_)
-    in_.seekg(0);
-  else
-    read_pcap_header(start);
+  if (!pcapng_) return read_pcap_header(start);
+  in_.seekg(0);
+  left_ += start.size();
 }
 
 bool CaptureFile::read(Bytes& bytes, std::size_t size) {
+  if (size > left_) {  // found out before there is room for it
+    if (left_ > 0) fail("was cut off");
+    return false;
+  }
+  left_ -= size;
   bytes.resize(size);
   in_.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
   if (in_.gcount() == 0 && size > 0) return false;
   if (in_.gcount() != static_cast<std::streamsize>(size)) fail("was cut off");
-  read_ += static_cast<double>(size);
   return true;
 }
 
@@ -116,6 +122,7 @@ bool CaptureFile::next_block(Block& block) {
     big_endian_ = word32(magic, 0) != kByteOrderMagic;
     if (word32(magic, 0) != kByteOrderMagic) fail("is damaged");
     in_.seekg(-4, std::ios::cur);
+    left_ += 4;
   }
   const std::uint32_t length = word32(head, 4);
   if (length < 12 || length % 4 != 0 || length > kMaxRecord) fail("is damaged");

@@ -30,7 +30,9 @@ class CaptureFile {
   /// The next packet, or false at the end. Errors: InputError when the file was cut off or is damaged.
   bool next(CapturedPacket& packet);
 
-  double share() const { return share_of(read_, bytes_); }  ///< of the file that has been read, 0...1
+  double share() const {
+    return share_of(static_cast<double>(bytes_ - left_), static_cast<double>(bytes_));
+  }  ///< of the file that has been read, 0...1
 
  private:
   struct Interface {
@@ -60,7 +62,7 @@ class CaptureFile {
 
   std::string name_;
   std::ifstream in_;
-  double bytes_, read_ = 0;  // of the file
+  std::uintmax_t bytes_ = 0, left_ = 0;  // of the file, and not yet read
   bool pcapng_ = false, big_endian_ = false;
   std::vector<Interface> interfaces_;  // of a pcap: just one
   std::int64_t last_ns_ = 0;

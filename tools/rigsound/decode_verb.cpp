@@ -117,7 +117,8 @@ void decode_session(const DecodeArguments& options) {
   std::optional<BarBesideRows> bar(std::in_place);
   for (session::Change change; changes.next(change);) {
     rows.add_state(static_cast<double>(change.block) * block_s, change.state);
-    bar->show(static_cast<double>(change.block) / static_cast<double>(std::max<std::uint64_t>(1, states.blocks())));
+    bar->show(static_cast<double>(change.block) /
+              static_cast<double>(std::max<std::uint64_t>(1, states.blocks())));
   }
   bar.reset();
   rows.finish();
