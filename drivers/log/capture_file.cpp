@@ -51,9 +51,12 @@ CaptureFile::CaptureFile(const LogFile& file) : name_(file.name()), in_(file.pat
   if (!begins_capture({start.begin(), start.end()}))
     throw InputError(name_, "is no capture, expected a pcap or a pcapng");
   pcapng_ = start[0] == 0x0a;
-  if (!pcapng_) return read_pcap_header(start);
-  in_.seekg(0);
-  left_ += start.size();
+  if (pcapng_) {
+    in_.seekg(0);
+    left_ = bytes_;
+  } else {
+    read_pcap_header(start);
+  }
 }
 
 bool CaptureFile::read(Bytes& bytes, std::size_t size) {

@@ -60,8 +60,8 @@ TEST_CASE("A rig whose bus and DBC do not exist drills by hand, is marked so, an
     CHECK(signal_of(status(rig.socket()), "engine_rpm")["validity"] == "manual");
   }
   bool held = false, released = false;
-  const InputFile file(session::newest_session(sessions), "session");
-  session::SessionChanges told(file);
+  const InputFile recorded(session::newest_session(sessions), "session");
+  session::SessionChanges told(recorded);
   for (session::Change change; told.next(change);) {
     const bool now = is_by_hand(change.state, {Signal::kFeedPressureBar, 1});
     held = held || (now && change.state.boom[1].feed_pressure_bar == 150);
