@@ -105,7 +105,7 @@ TEST_CASE("a sound set that cannot be played says what is wrong and where") {
   TemporaryFolder set;
   const std::string file = (set.path / "soundset.toml").string();
   const auto load = [&] { config::sound_set_of(config::load_sound_set(set.path), 48000); };
-  CHECK(complaint(load) == file + ": cannot be opened, expected a readable file");
+  CHECK(complaint(load) == file + ": cannot be opened, expected a readable soundset.toml");
   config::merge_index(set.path, five_situations("missing"));
   const std::string text = content(set.path / "soundset.toml");
   const auto line =
