@@ -115,8 +115,9 @@ TEST_CASE(
 TEST_CASE("A unit whose neighbours answer is down when it was silent too long") {
   auto device = std::make_unique<OddDevice>(Moods{false, false, {{0, 77}}, {}, {}});
   const int port = device->port();
-  const modbus::Line line = {asking(*device, 1, {holding(Signal::kFeedPressureBar, 0)}),
-                             asking(*device, 2, {holding(Signal::kRotationPressureBar, 0)})};
+  modbus::Line line = {asking(*device, 1, {holding(Signal::kFeedPressureBar, 0)}),
+                       asking(*device, 2, {holding(Signal::kRotationPressureBar, 0)})};
+  for (ModbusOptions& unit : line) unit.down_after_s = 2;  // longer than the device is away
   Told told;
   Client client(line, told, nullptr);
   const Running running(client);
