@@ -18,6 +18,11 @@ std::uint32_t crc32(std::string_view bytes) {
   return ~crc;
 }
 
+bool is_kind(std::uint32_t magic) {
+  const auto kind = static_cast<ChunkKind>(magic);
+  return kind == ChunkKind::kChanges || kind == ChunkKind::kSkip || kind == ChunkKind::kEnd;
+}
+
 void put_u64(std::string& out, std::uint64_t value) {
   put_u32(out, static_cast<std::uint32_t>(value));
   put_u32(out, static_cast<std::uint32_t>(value >> 32));
@@ -61,28 +66,35 @@ bool get_varint(std::string_view& in, std::uint64_t& value) {
   return false;
 }
 
-std::string chunk(std::uint64_t blocks, std::string_view payload) {
+std::string chunk_bytes(const Chunk& chunk) {
   std::string checked;
-  put_u64(checked, blocks);
-  checked.append(payload);
+  put_u64(checked, chunk.blocks);
+  checked.append(chunk.payload);
   std::string out;
-  put_u32(out, kChunkMagic);
-  put_u32(out, static_cast<std::uint32_t>(payload.size()));
+  put_u32(out, static_cast<std::uint32_t>(chunk.kind));
+  put_u32(out, static_cast<std::uint32_t>(chunk.payload.size()));
   put_u32(out, crc32(checked));
   return out.append(checked);
 }
 
-bool read_chunk(std::string_view bytes, std::size_t& at, std::uint64_t& blocks, std::string_view& payload) {
+bool read_chunk(std::string_view bytes, std::size_t& at, Chunk& chunk) {
   if (at > bytes.size()) return false;
   std::string_view in = bytes.substr(at);
   ChunkHead head;
-  const bool headed = get_u32(in, head.magic) && head.magic == kChunkMagic && get_u32(in, head.size) &&
+  const bool headed = get_u32(in, head.magic) && is_kind(head.magic) && get_u32(in, head.size) &&
                       get_u32(in, head.check) && in.size() >= 8 && in.size() - 8 >= head.size;
   if (!headed || crc32(in.substr(0, 8 + head.size)) != head.check) return false;
-  get_u64(in, blocks);
-  payload = in.substr(0, head.size);
+  chunk.kind = static_cast<ChunkKind>(head.magic);
+  get_u64(in, chunk.blocks);
+  chunk.payload = in.substr(0, head.size);
   at += kChunkHeadBytes + head.size;
   return true;
+}
+
+bool is_end(std::string_view last_bytes) {
+  Chunk chunk;
+  std::size_t at = 0;
+  return read_chunk(last_bytes, at, chunk) && chunk.kind == ChunkKind::kEnd && at == last_bytes.size();
 }
 
 std::string header_text(const SessionHeader& h) {

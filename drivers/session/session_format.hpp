@@ -10,21 +10,34 @@
 namespace rigsound::session {
 
 constexpr std::string_view kSessionTitle = "rigsound-session";
-constexpr std::uint32_t kChunkMagic = 0x43534752;  // "RGSC"
+enum class ChunkKind : std::uint32_t {
+  kChanges = 0x43534752,  ///< "RGSC": changes of state
+  kSkip = 0x4b534752,     ///< "RGSK": before block `blocks` time went by for so many blocks (a varint)
+  kEnd = 0x45534752,      ///< "RGSE": the run ended in order; no payload
+};
 
 /// All little-endian. `check` covers `blocks` and the payload.
 struct ChunkHead {
-  std::uint32_t magic = kChunkMagic;
+  std::uint32_t magic = 0;   ///< ChunkKind
   std::uint32_t size = 0;    ///< of the payload, bytes
   std::uint32_t check = 0;   ///< CRC-32
   std::uint64_t blocks = 0;  ///< rendered when the chunk was written
 };
 constexpr std::size_t kChunkHeadBytes = 20;
 
-std::string chunk(std::uint64_t blocks, std::string_view payload);
+struct Chunk {
+  ChunkKind kind = ChunkKind::kChanges;
+  std::uint64_t blocks = 0;
+  std::string_view payload;
+};
+
+std::string chunk_bytes(const Chunk& chunk);
 
 /// Reads the chunk at `at` and moves `at` behind it. Returns false when there is no whole, sound chunk.
-bool read_chunk(std::string_view bytes, std::size_t& at, std::uint64_t& blocks, std::string_view& payload);
+bool read_chunk(std::string_view bytes, std::size_t& at, Chunk& chunk);
+
+/// The bytes that end a file whose run ended in order.
+bool is_end(std::string_view last_bytes);
 
 std::string header_text(const SessionHeader& header);
 

@@ -40,7 +40,7 @@ SessionHeader parse_header(const std::string& file, const std::string& bytes, st
   auto lines = header_lines(bytes, at);
   const std::string format = lines[std::string(kSessionTitle)];
   if (format.empty()) throw InputError(file, "is no session, expected a file written by rigsoundd --session");
-  if (format != std::to_string(kSessionFormat))
+  if (format != std::to_string(kSessionFormat) && format != std::to_string(kOldestSessionFormat))
     throw InputError(file, 1, kSessionTitle,
                      "format " + format + " of another version of rigsound, expected " +
                          std::to_string(kSessionFormat) + ": render it with the version that wrote it");
@@ -69,27 +69,49 @@ SessionStates::SessionStates(const std::filesystem::path& file) {
   const std::string bytes = InputFile(file, "session").content();
   std::size_t at = 0;
   header_ = parse_header(file.string(), bytes, at);
-  read_chunks(bytes, at);
+  read_chunks(file.string(), bytes, at);
   if (changes_.empty() || changes_.front().block != 0)
     throw SessionWithoutState(file.string(), "holds no state for block 0, expected at least one whole chunk");
 }
 
-void SessionStates::read_chunks(const std::string& bytes, std::size_t at) {
+void SessionStates::read_chunks(const std::string& file, const std::string& bytes, std::size_t at) {
   StateWords words{};
-  std::uint64_t block = 0, blocks = 0;
-  std::string_view payload;
-  while (read_chunk(bytes, at, blocks, payload)) {
+  std::uint64_t block = 0;
+  for (Chunk chunk; read_chunk(bytes, at, chunk);) {
+    blocks_ = chunk.blocks;
+    ended_in_order_ = chunk.kind == ChunkKind::kEnd;
+    if (chunk.kind == ChunkKind::kSkip) take_skip(file, chunk.blocks, chunk.payload);
+    if (chunk.kind != ChunkKind::kChanges) continue;
+    std::string_view payload = chunk.payload;
     std::uint64_t step = 0;
     WordMasks changed{};
     while (get_varint(payload, step) && get_masks(payload, changed)) {
       for (std::size_t i = 0; i < words.size(); ++i)
         if (has(changed, i)) get_u32(payload, words[i]);
       block += step;
-      changes_.push_back({block, session::state_of(words)});
+      changes_.push_back({block, session::state_of(words), skipped()});
     }
-    blocks_ = blocks;
   }
   ignored_ = bytes.size() - at;
+}
+
+void SessionStates::take_skip(const std::string& file, std::uint64_t block, std::string_view payload) {
+  std::uint64_t count = 0;
+  const double longest = kLongestSkip_s * header_.sample_rate / header_.block;
+  if (!get_varint(payload, count) || static_cast<double>(count) > longest)
+    throw InputError(file, "skips over an hour before block " + std::to_string(block) + ", expected less");
+  skips_[block] += count;
+}
+
+std::uint64_t SessionStates::skipped() const {
+  std::uint64_t blocks = 0;
+  for (const auto& [before, count] : skips_) blocks += count;
+  return blocks;
+}
+
+std::uint64_t SessionStates::skipped_before(std::uint64_t number) {
+  const auto found = skips_.find(number);
+  return found != skips_.end() ? found->second : 0;
 }
 
 const MachineState* SessionStates::state_of(std::uint64_t number) {

@@ -91,11 +91,14 @@ void decode_session(const DecodeArguments& options) {
   const double block_s = header.block / header.sample_rate;
   StateRows rows(rig);
   for (const session::SessionStates::Change& change : states.changes())
-    rows.add_state(static_cast<double>(change.block) * block_s, change.state);
+    rows.add_state(static_cast<double>(change.block + change.skipped) * block_s, change.state);
   fmt::print("{}", rows.text(options.form()));
   fmt::print(stderr, "{}: {:.1f} s, played by rigsound {} at {:g} Hz in blocks of {} frames, seed {}\n",
-             file.string(), static_cast<double>(states.blocks()) * block_s, header.program,
+             file.string(), static_cast<double>(states.blocks() + states.skipped()) * block_s, header.program,
              header.sample_rate, header.block, header.seed);
+  if (states.skipped() > 0)
+    fmt::print(stderr, "{}: {:.1f} s of them were skipped, the machine stood still\n", file.string(),
+               static_cast<double>(states.skipped()) * block_s);
 }
 
 }  // namespace

@@ -48,6 +48,7 @@ class ShownStates : public audio::StateSource {
     if (last_ > 0) bar_.show(std::min(1.0, static_cast<double>(number) / static_cast<double>(last_)));
     return states_.state_of(number);
   }
+  std::uint64_t skipped_before(std::uint64_t number) override { return states_.skipped_before(number); }
 
  private:
   audio::StateSource& states_;

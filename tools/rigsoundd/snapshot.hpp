@@ -69,6 +69,7 @@ struct Snapshot {
   audio::CardStatus card;
   std::string scheduling;
   std::uint64_t blocks = 0, deadline_misses = 0, lost_clicks = 0, lost_records = 0;
+  std::uint64_t clock_jumps = 0, skipped_blocks = 0;
   double block_s = 0;       ///< length of a block
   double block_mean_s = 0;  ///< time to compute one
   double block_worst_s = 0;

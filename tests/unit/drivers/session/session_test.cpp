@@ -125,6 +125,64 @@ TEST_CASE("A change of one field writes this field and no other, whichever it is
     CHECK(words_of(*session.state_of(block)) == acting[block]);
 }
 
+TEST_CASE("Skipped time lies before its block, counts in later changes, and an end in order is told") {
+  const Folder folder;
+  {
+    SessionWriter writer(folder.file, new_file(folder.file), {});
+    writer.add(0, state(0));
+    writer.add(7, state(1));
+    writer.skip(9, 2251);
+    writer.add(9, state(2));
+    writer.flush(20);
+    writer.skip(20, 5);
+    writer.skip(20, 6);
+    writer.end(30);
+  }
+  SessionStates session(folder.file);
+  CHECK(session.blocks() == 30);
+  CHECK(session.skipped() == 2262);
+  CHECK(session.ended_in_order());
+  CHECK(session.bytes_ignored() == 0);
+  REQUIRE(session.changes().size() == 3);
+  CHECK(session.changes()[1].skipped == 0);
+  CHECK(session.changes()[2].skipped == 2251);
+  std::uint64_t skipped = 0;
+  for (std::uint64_t block = 0; block < 31; ++block) skipped += session.skipped_before(block);
+  CHECK(skipped == 2262);
+  CHECK(session.skipped_before(9) == 2251);
+  CHECK(session.skipped_before(20) == 11);
+
+  const std::string whole = bytes_of(folder.file);
+  write_bytes(folder.file, whole.substr(0, whole.size() - 1));
+  CHECK_FALSE(SessionStates(folder.file).ended_in_order());
+  CHECK(SessionStates(folder.file).blocks() == 30);
+}
+
+TEST_CASE("A skip of over an hour is no skip") {
+  const Folder folder;
+  SessionWriter writer(folder.file, new_file(folder.file), {});
+  writer.add(0, state(0));
+  writer.skip(5, 3600 * 750);
+  CHECK(SessionStates(folder.file).skipped() == 3600 * 750);
+  writer.skip(6, 3600 * 750 + 1);
+  CHECK_THROWS_AS(SessionStates{folder.file}, InputError);
+}
+
+TEST_CASE("A session of the format before is read, one before that is not") {
+  const Folder folder;
+  write_session(folder.file, 100);
+  std::string bytes = bytes_of(folder.file);
+  const std::size_t digit = bytes.find(" 5\n");
+  REQUIRE(digit != std::string::npos);
+  bytes[digit + 1] = '4';
+  write_bytes(folder.file, bytes);
+  SessionStates session(folder.file);
+  check_states(session);
+  bytes[digit + 1] = '3';
+  write_bytes(folder.file, bytes);
+  CHECK_THROWS_AS(SessionStates{folder.file}, InputError);
+}
+
 TEST_CASE("Cut off or damaged anywhere, a session gives the whole chunks before") {
   const Folder folder;
   write_session(folder.file, 50);
