@@ -9,7 +9,9 @@
 namespace rigsound::audio {
 namespace {
 
-constexpr int kMostAttempts = 8;  // recoveries for one block before the card counts as lost
+constexpr int kMostAttempts = 8;                // recoveries for one block before the card counts as lost
+constexpr std::int64_t kWorks_ms = 5000;        // a card that played for so long is looked for at once
+constexpr std::int64_t kClockless_ms = 60'000;  // one without a clock only now and then
 
 std::string describe(const AudioOptions& options, const Granted& g) {
   return "sound card " + options.device + ": " + std::to_string(g.channels) + " channels, " +
@@ -44,15 +46,22 @@ void AlsaSink::write(const float* block, std::uint64_t number) noexcept {
   if (!pcm_ && !take_stream()) return pacer_.wait();
   convert(block, samples(), number * samples(), pcm_->granted().format, bytes_.data());
   // The room is waited for here, not before the next write: the next block begins with the state of then.
-  if (!play() || !make_room()) give_up();
+  if (!play() || !make_room()) return give_up(0);
+  const std::int64_t now_ns = clock_.now_ns();
+  if (pace_.taken(now_ns)) return;
+  clockless_.store(true, std::memory_order_relaxed);
+  give_up(static_cast<std::int64_t>(pace_.ahead_ns(now_ns)));
 }
 
 /// False: there is no stream, or it does not start.
 bool AlsaSink::take_stream() noexcept {
   if (!streams_.swap(pcm_)) return false;
-  frame_bytes_ = bytes_per_sample(pcm_->granted().format) * options_.channels;
+  const Granted& granted = pcm_->granted();
+  frame_bytes_ = bytes_per_sample(granted.format) * options_.channels;
+  const double frame_ns = 1e9 / options_.rate;
+  pace_.start(clock_.now_ns(), options_.block * frame_ns, static_cast<double>(granted.buffer) * frame_ns);
   if (restart()) return true;
-  give_up();
+  give_up(0);
   return false;
 }
 
@@ -108,29 +117,38 @@ bool AlsaSink::restart() noexcept {
   return true;
 }
 
-void AlsaSink::give_up() noexcept {
+/// The block clock waits for the time that it is ahead of.
+void AlsaSink::give_up(std::int64_t ahead_ns) noexcept {
   count(CardEvent::kLost);
   streams_.retire(pcm_);  // there is room: poll() offers a stream only after it has closed the last one
-  pacer_.start();
+  pacer_.start(ahead_ns);
   playing_.store(false, std::memory_order_release);
 }
 
 void AlsaSink::poll() {
   if (playing_.load(std::memory_order_acquire)) return;
-  streams_.collect();  // a raw card must be closed to be opened again
   const std::int64_t now = now_ms();
-  if (!backoff_.due(now)) return;
+  if (streams_.collect() != nullptr) put_away(now);  // a raw card must be closed to be opened again
+  if (!backoff_.due(now) || now < not_before_ms_) return;
   try {
     std::unique_ptr<Pcm> pcm = open_(options_);
     description_ = describe(options_, pcm->granted());
     format_ = pcm->granted().format;
-    backoff_.worked(now);
+    opened_ms_ = now;
     playing_.store(true, std::memory_order_relaxed);
     streams_.offer(std::move(pcm));
   } catch (const DeviceError& error) {
     description_ = error.what();
     backoff_.failed(now);
   }
+}
+
+void AlsaSink::put_away(std::int64_t now) {
+  now - opened_ms_ >= kWorks_ms ? backoff_.worked(now) : backoff_.failed(now);
+  if (!clockless_.exchange(false, std::memory_order_relaxed)) return;
+  description_ =
+      "sound card " + options_.device + ": takes blocks faster than it can play them, it has no clock";
+  not_before_ms_ = now + kClockless_ms;
 }
 
 CardStatus AlsaSink::status() const {

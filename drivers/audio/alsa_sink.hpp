@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "audio/pace_watch.hpp"
 #include "audio/pcm.hpp"
 #include "backoff.hpp"
 #include "rigsound/audio/sound_card.hpp"
@@ -16,8 +17,8 @@
 namespace rigsound::audio {
 
 /// EPIPE and EBADFD prepare the stream again, ESTRPIPE resumes it once, anything that says the card is gone
-/// (or takes no samples for several buffers) gives it up. Every block goes to the card once and in order,
-/// after silence that fills the buffer whenever the stream starts anew.
+/// (or takes no samples for several buffers, or takes them faster than it can play) gives it up. Every block
+/// goes to the card once and in order, after silence that fills the buffer whenever the stream starts anew.
 class AlsaSink final : public SoundCard {
  public:
   /// `open`: open_alsa(), or what a test puts in its place. Thread: OFF.
@@ -33,7 +34,8 @@ class AlsaSink final : public SoundCard {
   bool make_room() noexcept;
   bool recover(int error) noexcept;
   bool restart() noexcept;
-  void give_up() noexcept;
+  void give_up(std::int64_t ahead_ns) noexcept;
+  void put_away(std::int64_t now_ms);
   void count(CardEvent event) noexcept;
   std::int64_t now_ms() noexcept;
   std::size_t samples() const { return options_.block * options_.channels; }
@@ -46,14 +48,17 @@ class AlsaSink final : public SoundCard {
   std::size_t frame_bytes_ = 0;
   int wait_ms_ = 0;
   std::unique_ptr<Pcm> pcm_;  // the audio thread's
+  PaceWatch pace_;
 
   SwapSlot<Pcm> streams_;  // opened by poll(), played by the audio thread, closed by poll()
   std::atomic<bool> playing_{false};
+  std::atomic<bool> clockless_{false};  // why the last stream was given up
   std::array<std::atomic<std::uint64_t>, kCardEventCount> events_{};
 
   std::string description_;
   SampleFormat format_ = SampleFormat::kAuto;
   Backoff backoff_;
+  std::int64_t opened_ms_ = 0, not_before_ms_ = 0;
 };
 
 }  // namespace rigsound::audio

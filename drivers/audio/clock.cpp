@@ -27,8 +27,8 @@ Pacer::Pacer(Clock& clock, double rate_hz, int block_frames)
   start();
 }
 
-void Pacer::start() noexcept {
-  origin_ns_ = clock_.now_ns();
+void Pacer::start(std::int64_t ahead_ns) noexcept {
+  origin_ns_ = clock_.now_ns() + ahead_ns;
   blocks_ = 0;
 }
 

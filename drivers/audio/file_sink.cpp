@@ -1,5 +1,6 @@
 #include "rigsound/audio/file_sink.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "rigsound/audio/sample_format.hpp"
@@ -16,6 +17,15 @@ FileSink::FileSink(const std::filesystem::path& file, const Format& format, Tap 
 void FileSink::write(const float* block, std::uint64_t number) {
   const std::size_t samples = format_.block * format_.channels;
   convert(block, samples, number * samples, format_.samples, bytes_.data());
+  append();
+}
+
+void FileSink::skip(std::uint64_t blocks) {
+  std::fill(bytes_.begin(), bytes_.end(), static_cast<unsigned char>(0));  // silence in every format
+  for (std::uint64_t i = 0; i < blocks; ++i) append();
+}
+
+void FileSink::append() {
   writer_.write(bytes_.data(), bytes_.size());
   if (tap_) tap_(bytes_.data(), bytes_.size());
 }

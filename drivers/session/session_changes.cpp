@@ -41,7 +41,7 @@ SessionHeader parse_header(const std::string& file, const std::string& bytes, st
   auto lines = header_lines(bytes, at);
   const std::string format = lines[std::string(kSessionTitle)];
   if (format.empty()) throw InputError(file, "is no session, expected a file written by rigsoundd --session");
-  if (format != std::to_string(kSessionFormat))
+  if (format != std::to_string(kSessionFormat) && format != std::to_string(kOldestSessionFormat))
     throw InputError(file, 1, kSessionTitle,
                      "format " + format + " of another version of rigsound, expected " +
                          std::to_string(kSessionFormat) + ": render it with the version that wrote it");
@@ -74,27 +74,43 @@ bool get_masks(std::string_view& in, WordMasks& masks) {
 }  // namespace
 
 SessionChanges::SessionChanges(const InputFile& file)
-    : name_(file.name()), path_(file.path()), in_(path_, std::ios::binary), words_(kStateWords) {
+    : name_(file.name()),
+      path_(file.path()),
+      in_(path_, std::ios::binary),
+      chunk_(std::make_unique<Chunk>()),
+      words_(kStateWords) {
   std::size_t at = 0;
   header_ = parse_header(name_, start_of(in_), at);
   in_.seekg(static_cast<std::streamoff>(at));
   end_ = at;
 }
 
+SessionChanges::~SessionChanges() = default;
+
+bool SessionChanges::ended_in_order() const { return chunk_->kind == ChunkKind::kEnd; }
+
 bool SessionChanges::next(Change& change) {
-  while (!take_change())
+  bool skip = false;
+  while (!take_change() && !skip) {
     if (!next_chunk()) {
       if (!begun_) fail_without_state();
       return false;
     }
+    skip = chunk_->kind == ChunkKind::kSkip && take_skip();
+  }
   if (!begun_ && block_ != 0) fail_without_state();
   begun_ = true;
+  told_ = skip ? blocks_ : block_;
+  change = change_of(told_);
+  return true;
+}
+
+Change SessionChanges::change_of(std::uint64_t block) const {
   StateWords words;
   std::copy(words_.begin(), words_.end(), words.begin());
-  change = {block_, session::state_of(words)};
   if (const std::string problem = problem_of(words); !problem.empty())
-    throw InputError(name_, 0, "state of block " + std::to_string(block_), problem);
-  return true;
+    throw InputError(name_, 0, "state of block " + std::to_string(block), problem);
+  return {block, session::state_of(words), skipped_};
 }
 
 void SessionChanges::fail_without_state() const {
@@ -108,19 +124,32 @@ bool SessionChanges::take_change() {
   if (!get_varint(left_, step) || !get_masks(left_, changed)) return false;
   for (std::size_t i = 0; i < words_.size(); ++i)
     if (has(changed, i)) get_u32(left_, words_[i]);
-  require_goes_on("state of block", block_ + step, block_, blocks_ + longest_chunk());
+  require_goes_on("state of block", block_ + step, told_, blocks_ + longest_chunk());
   block_ += step;
   return true;
 }
 
 bool SessionChanges::next_chunk() {
-  std::uint64_t blocks = 0;
-  if (!read_chunk(in_, blocks, payload_)) return false;
-  require_goes_on("chunk of block", blocks, blocks_, blocks_ + longest_chunk());
-  blocks_ = blocks;
-  left_ = payload_;
-  end_ += kChunkHeadBytes + payload_.size();
+  Chunk chunk;
+  if (!read_chunk(in_, chunk)) return false;
+  require_goes_on("chunk of block", chunk.blocks, blocks_, blocks_ + longest_chunk());
+  blocks_ = chunk.blocks;
+  end_ += kChunkHeadBytes + chunk.payload.size();
+  *chunk_ = std::move(chunk);
+  left_ = chunk_->kind == ChunkKind::kChanges ? std::string_view(chunk_->payload) : std::string_view();
   return true;
+}
+
+/// Returns whether it is to be told: before the first state there is nothing that it interrupts.
+bool SessionChanges::take_skip() {
+  require_goes_on("skip before block", blocks_, told_, blocks_);
+  std::string_view payload = chunk_->payload;
+  std::uint64_t count = 0;
+  const double longest = kLongestSkip_s * header_.sample_rate / header_.block;
+  if (!get_varint(payload, count) || static_cast<double>(count) > longest)
+    throw InputError(name_, "skips over an hour before block " + std::to_string(blocks_) + ", expected less");
+  skipped_ += count;
+  return begun_;
 }
 
 std::uint64_t SessionChanges::longest_chunk() const {

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -28,7 +29,7 @@ namespace {
 
 constexpr std::string_view kNamePattern = "0000-00-00T00-00-00.000Z.rigsession";
 constexpr std::size_t kMostSessions = 1000;
-constexpr std::time_t kBrief_s = 10;
+constexpr std::time_t kBrief_s = 10, kCrashLoop_s = 60;
 constexpr std::uintmax_t kMostSilentBytes = 16 << 10;  // of 10 s of fades and nothing else
 
 std::string name_at(std::chrono::system_clock::time_point time) {
@@ -60,8 +61,20 @@ std::time_t begin_s(const std::string& name) {
 struct OldSession {
   fs::path file;
   std::uintmax_t bytes = 0;
-  bool brief = false;  ///< under 10 s
+  std::time_t begin_s = 0, end_s = 0;
+  bool crashed = false;  ///< did not end in order
+
+  bool brief() const { return end_s >= begin_s && end_s - begin_s < kBrief_s; }
 };
+
+/// Of a format that marks its end, and does not.
+bool crashed(const FileDescriptor& fd, off_t size) {
+  const std::string title = std::string(kSessionTitle) + ' ' + std::to_string(kSessionFormat) + '\n';
+  std::string first(title.size(), '\0'), last(kChunkHeadBytes, '\0');
+  if (::pread(fd.get(), first.data(), first.size(), 0) < 0 || first != title) return false;
+  const off_t at = std::max<off_t>(0, size - static_cast<off_t>(last.size()));
+  return ::pread(fd.get(), last.data(), last.size(), at) < 0 || !is_end(last);
+}
 
 /// Nothing for what is no regular file, does not begin as a session does, or is being written.
 std::optional<OldSession> finished_session(const fs::path& file) {
@@ -73,8 +86,8 @@ std::optional<OldSession> finished_session(const fs::path& file) {
                     title == kSessionTitle && ::flock(fd.get(), LOCK_SH | LOCK_NB) == 0;
   if (!ours) return std::nullopt;
   // Twice a second its writer writes. When the clock was set back in between, how long it was is not known.
-  const std::time_t length_s = about.st_mtime - begin_s(file.filename().string());
-  return OldSession{file, static_cast<std::uintmax_t>(about.st_size), length_s >= 0 && length_s < kBrief_s};
+  return OldSession{file, static_cast<std::uintmax_t>(about.st_size), begin_s(file.filename().string()),
+                    about.st_mtime, crashed(fd, about.st_size)};
 }
 
 /// Of the folder, oldest first.
@@ -111,6 +124,21 @@ void remove(const OldSession& session) {
   fs::remove(session.file, error);
 }
 
+/// Of sessions, oldest first: what goes first comes first. What a crash loop leaves is worth less than what
+/// crashed first.
+std::vector<OldSession> in_order_of_worth(const std::vector<OldSession>& sessions) {
+  std::array<std::vector<OldSession>, 4> kinds;
+  const OldSession* last_crash = nullptr;
+  for (const OldSession& session : sessions) {
+    const bool again = last_crash != nullptr && session.begin_s - last_crash->end_s < kCrashLoop_s;
+    kinds[session.crashed ? (again ? 2 : 3) : (session.brief() ? 0 : 1)].push_back(session);
+    if (session.crashed) last_crash = &session;
+  }
+  std::vector<OldSession> all;
+  for (const std::vector<OldSession>& kind : kinds) all.insert(all.end(), kind.begin(), kind.end());
+  return all;
+}
+
 }  // namespace
 
 SessionFolder::SessionFolder(fs::path path, std::uint64_t limit_bytes)
@@ -120,24 +148,23 @@ SessionFolder::SessionFolder(fs::path path, std::uint64_t limit_bytes)
 }
 
 void SessionFolder::make_room() const {
-  std::vector<OldSession> brief, others;
+  std::vector<OldSession> sessions;
   std::uintmax_t bytes = 0;
   for (const OldSession& session : sessions_in(path_)) {
-    if (session.brief && session.bytes < kMostSilentBytes && tells_nothing(session.file)) {
+    if (session.brief() && session.bytes < kMostSilentBytes && tells_nothing(session.file)) {
       remove(session);
       continue;
     }
     bytes += session.bytes;
-    (session.brief ? brief : others).push_back(session);
+    sessions.push_back(session);
   }
-  std::size_t count = brief.size() + others.size();
-  for (const std::vector<OldSession>* group : {&brief, &others})
-    for (const OldSession& session : *group) {
-      if (bytes + share() <= limit_bytes_ && count < kMostSessions) return;
-      remove(session);
-      bytes -= session.bytes;
-      --count;
-    }
+  std::size_t count = sessions.size();
+  for (const OldSession& session : in_order_of_worth(sessions)) {
+    if (bytes + share() <= limit_bytes_ && count < kMostSessions) return;
+    remove(session);
+    bytes -= session.bytes;
+    --count;
+  }
 }
 
 std::unique_ptr<SessionWriter> SessionFolder::begin(const SessionHeader& header,

@@ -17,6 +17,11 @@ std::uint32_t crc32_of(std::string_view blocks, std::string_view payload) {
   return static_cast<std::uint32_t>(crc);
 }
 
+bool is_kind(std::uint32_t magic) {
+  const auto kind = static_cast<ChunkKind>(magic);
+  return kind == ChunkKind::kChanges || kind == ChunkKind::kSkip || kind == ChunkKind::kEnd;
+}
+
 void put_u64(std::string& out, std::uint64_t value) {
   put_u32(out, static_cast<std::uint32_t>(value));
   put_u32(out, static_cast<std::uint32_t>(value >> 32));
@@ -60,17 +65,17 @@ bool get_varint(std::string_view& in, std::uint64_t& value) {
   return false;
 }
 
-std::string chunk(std::uint64_t blocks, std::string_view payload) {
+std::string chunk_bytes(const Chunk& chunk) {
   std::string counted;
-  put_u64(counted, blocks);
+  put_u64(counted, chunk.blocks);
   std::string out;
-  put_u32(out, kChunkMagic);
-  put_u32(out, static_cast<std::uint32_t>(payload.size()));
-  put_u32(out, crc32_of(counted, payload));
-  return out.append(counted).append(payload);
+  put_u32(out, static_cast<std::uint32_t>(chunk.kind));
+  put_u32(out, static_cast<std::uint32_t>(chunk.payload.size()));
+  put_u32(out, crc32_of(counted, chunk.payload));
+  return out.append(counted).append(chunk.payload);
 }
 
-bool read_chunk(std::istream& in, std::uint64_t& blocks, std::string& payload) {
+bool read_chunk(std::istream& in, Chunk& chunk) {
   std::array<char, kChunkHeadBytes> bytes;
   if (!in.read(bytes.data(), bytes.size())) return false;
   std::string_view rest(bytes.data(), bytes.size());
@@ -78,10 +83,18 @@ bool read_chunk(std::istream& in, std::uint64_t& blocks, std::string& payload) {
   get_u32(rest, head.magic);
   get_u32(rest, head.size);
   get_u32(rest, head.check);
-  if (head.magic != kChunkMagic || head.size > kMostChunkBytes) return false;
-  payload.resize(head.size);
-  if (!in.read(payload.data(), head.size) || crc32_of(rest, payload) != head.check) return false;
-  return get_u64(rest, blocks);
+  if (!is_kind(head.magic) || head.size > kMostChunkBytes) return false;
+  chunk.kind = static_cast<ChunkKind>(head.magic);
+  chunk.payload.resize(head.size);
+  if (!in.read(chunk.payload.data(), head.size) || crc32_of(rest, chunk.payload) != head.check) return false;
+  return get_u64(rest, chunk.blocks);
+}
+
+bool is_end(const std::string& last_bytes) {
+  std::istringstream in(last_bytes);
+  Chunk chunk;
+  return read_chunk(in, chunk) && chunk.kind == ChunkKind::kEnd &&
+         in.peek() == std::istringstream::traits_type::eof();
 }
 
 std::string header_text(const SessionHeader& h) {

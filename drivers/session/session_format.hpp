@@ -11,11 +11,15 @@
 namespace rigsound::session {
 
 constexpr std::string_view kSessionTitle = "rigsound-session";
-constexpr std::uint32_t kChunkMagic = 0x43534752;  // "RGSC"
+enum class ChunkKind : std::uint32_t {
+  kChanges = 0x43534752,  ///< "RGSC": changes of state
+  kSkip = 0x4b534752,     ///< "RGSK": before block `blocks` time went by for so many blocks (a varint)
+  kEnd = 0x45534752,      ///< "RGSE": the run ended in order; no payload
+};
 
 /// All little-endian. `check` covers `blocks` and the payload.
 struct ChunkHead {
-  std::uint32_t magic = kChunkMagic;
+  std::uint32_t magic = 0;   ///< ChunkKind
   std::uint32_t size = 0;    ///< of the payload, bytes
   std::uint32_t check = 0;   ///< CRC-32
   std::uint64_t blocks = 0;  ///< rendered when the chunk was written
@@ -23,10 +27,19 @@ struct ChunkHead {
 constexpr std::size_t kChunkHeadBytes = 20;
 constexpr std::uint32_t kMostChunkBytes = 8 << 20;  ///< the daemon writes two small ones a second
 
-std::string chunk(std::uint64_t blocks, std::string_view payload);
+struct Chunk {
+  ChunkKind kind = ChunkKind::kChanges;
+  std::uint64_t blocks = 0;
+  std::string payload;
+};
+
+std::string chunk_bytes(const Chunk& chunk);
 
 /// Reads the chunk that comes next. Returns false when there is no whole, sound chunk.
-bool read_chunk(std::istream& in, std::uint64_t& blocks, std::string& payload);
+bool read_chunk(std::istream& in, Chunk& chunk);
+
+/// The bytes that end a file whose run ended in order.
+bool is_end(const std::string& last_bytes);
 
 std::string header_text(const SessionHeader& header);
 

@@ -41,8 +41,20 @@ void SessionWriter::add(std::uint64_t block, const MachineState& state) {
 }
 
 void SessionWriter::flush(std::uint64_t blocks) {
-  append(chunk(blocks, changes_));
+  append(chunk_bytes({ChunkKind::kChanges, blocks, changes_}));
   changes_.clear();
+}
+
+void SessionWriter::skip(std::uint64_t block, std::uint64_t count) {
+  flush(block);
+  std::string payload;
+  put_varint(payload, count);
+  append(chunk_bytes({ChunkKind::kSkip, block, payload}));
+}
+
+void SessionWriter::end(std::uint64_t blocks) {
+  flush(blocks);
+  append(chunk_bytes({ChunkKind::kEnd, blocks, {}}));
 }
 
 void SessionWriter::append(const std::string& bytes) {

@@ -271,4 +271,80 @@ class Modbus(Attack):
         self.assertEqual((bus['evicted_connections'], bus['rejected_connections']), (32 + 1 - 8, 0))
 
 
+class Clock(Attack):
+    def audio(self):
+        return json.loads(self.ctl('status', '--json').stdout)['audio']
+
+    def test_a_device_that_never_blocks_is_paced(self):
+        self.write_rig()
+        self.rig.write_text(self.rig.read_text().replace('device = "null"', 'device = "plug:null"'))
+        self.start_daemon()
+        wait_for('loss', lambda: self.audio()['losses'] > 0)
+        wait_for('words', lambda: 'it has no clock' in self.audio()['card'])
+        first, start = self.audio()['blocks'], time.monotonic()
+        time.sleep(2)
+        rate_hz = (self.audio()['blocks'] - first) / (time.monotonic() - start)
+        print(f'FIGURE blocks a second of a device that never blocks: {rate_hz:.0f} of 750', flush=True)
+        self.assertLess(rate_hz, 3000)  # 29 600 before
+        self.assertFalse(self.audio()['playing'])
+
+    def test_a_stop_of_three_seconds_is_counted_and_lies_in_the_session(self):
+        sessions = self.folder / 'sessions'
+        self.write_rig()
+        daemon = self.start_daemon('--manual', '--session', sessions)
+        self.ctl('set', 'engine_rpm', '1500')
+        wait_for('session', lambda: self.audio()['blocks'] > 750)
+        self.assertEqual((self.audio()['clock_jumps'], self.audio()['skipped_blocks']), (0, 0))
+        start, before = time.monotonic(), self.audio()['blocks']
+        daemon.send_signal(signal.SIGSTOP)
+        time.sleep(3)
+        daemon.send_signal(signal.SIGCONT)
+        wait_for('jump', lambda: self.audio()['clock_jumps'] == 1)
+        audio, seconds = self.audio(), time.monotonic() - start
+        blocks = audio['blocks'] - before
+        print(f'FIGURE SIGSTOP for 3 s: {blocks} blocks and {audio["skipped_blocks"]} skipped in {seconds:.2f} s, '
+              f'{(blocks + audio["skipped_blocks"]) / 750:.2f} s of blocks', flush=True)
+        self.assertGreater(audio['skipped_blocks'], 2200)
+        self.assertIn(f'rigsound_skipped_blocks_total {audio["skipped_blocks"]}\n', self.get())
+        daemon.terminate()
+        daemon.wait()
+        out = self.folder / 'out.wav'
+        rendered = subprocess.run([sys.argv[1], 'render', self.rig, '--session', sessions, '--out', out], capture_output=True, text=True,
+                                  timeout=PATIENCE_S)
+        self.assertEqual(rendered.returncode, 0, rendered.stderr)
+        told = subprocess.run([sys.argv[1], 'decode', self.rig, '--session', sessions], capture_output=True, text=True, timeout=PATIENCE_S)
+        self.assertIn('s of them were skipped', told.stderr)
+        length_s = float(told.stderr.split(': ')[1].split(' s')[0])
+        self.assertAlmostEqual(length_s, (out.stat().st_size - 100) / 8 / 48000, delta=0.1)
+
+
+class Crashes(Attack):
+    def crash(self, sessions):
+        """A run in which much is said, and what lies in the folder after it."""
+        daemon = self.start_daemon('--manual', '--session', sessions, '--session-limit', '0.01')
+        requests = [b'{"command": "set", "key": "engine_rpm", "value": %d}\n' % rpm for rpm in range(600, 1000)]
+        with self.connect() as line, line.makefile('rb') as answers:
+            line.sendall(b''.join(requests))
+            for _ in requests:
+                answers.readline()
+        wait_for('flush', lambda: json.loads(self.ctl('status', '--json').stdout)['session']['bytes'] > 1000)
+        daemon.kill()
+        daemon.wait()
+        return {path.name for path in sessions.iterdir()}
+
+    def test_the_first_session_outlives_a_crash_loop(self):
+        self.write_rig()
+        sessions = self.folder / 'sessions'
+        first = self.crash(sessions)
+        self.assertEqual(len(first), 1)
+        seen = set(first)
+        for _ in range(9):
+            left = self.crash(sessions)
+            seen |= left
+            self.assertLessEqual(first, left)
+        self.assertLess(len(left), len(seen))  # others had to go
+        print(f'FIGURE kill -9, {len(seen)} times, under 10 kB: {len(left)} sessions are left, the first among them', flush=True)
+        self.assertLess(sum(path.stat().st_size for path in sessions.iterdir()), 10_000)
+
+
 unittest.main(argv=sys.argv[:1])

@@ -14,11 +14,6 @@ using namespace rigsound::session;
 
 namespace {
 
-struct Chunk {
-  std::uint64_t blocks = 0;
-  std::string payload;
-};
-
 /// A session in pieces: what stands before its chunks, and the sound ones.
 struct Pieces {
   std::string header;
@@ -28,11 +23,11 @@ struct Pieces {
     const std::size_t end = bytes.find("\n\n");
     header = bytes.substr(0, end == std::string::npos ? end : end + 2);
     std::istringstream in(bytes.substr(header.size()));
-    for (Chunk next; read_chunk(in, next.blocks, next.payload);) chunks.push_back(next);
+    for (Chunk next; read_chunk(in, next);) chunks.push_back(next);
   }
   std::string bytes() const {
     std::string all = header;
-    for (const Chunk& each : chunks) all += chunk(each.blocks, each.payload);
+    for (const Chunk& each : chunks) all += chunk_bytes(each);
     return all;
   }
 };
@@ -48,7 +43,7 @@ std::string rewritten(const fuzz::MemoryFile& session) {
   fuzz::MemoryFile copy("");
   SessionWriter writer(copy.path(), FileDescriptor(::dup(copy.descriptor())), states.header());
   const auto an_hour = static_cast<std::uint64_t>(3600 * states.header().sample_rate / states.header().block);
-  std::uint64_t flushed = 0;
+  std::uint64_t flushed = 0, skipped = 0;
   const auto flush_up_to = [&](std::uint64_t blocks) {
     do writer.flush(flushed = std::min(flushed + an_hour, blocks));
     while (flushed < blocks);
@@ -56,9 +51,15 @@ std::string rewritten(const fuzz::MemoryFile& session) {
   SessionChanges changes = states.changes();
   for (Change change; changes.next(change);) {
     if (change.block > flushed + an_hour) flush_up_to(change.block - an_hour);
-    writer.add(change.block, change.state);
+    if (change.skipped > skipped) {
+      writer.skip(flushed = change.block, change.skipped - skipped);
+      skipped = change.skipped;
+    } else {
+      writer.add(change.block, change.state);
+    }
   }
   flush_up_to(states.blocks());
+  if (states.ended_in_order()) writer.end(states.blocks());
   return copy.content();
 }
 

@@ -116,15 +116,18 @@ void decode_session(const DecodeArguments& options) {
   session::SessionChanges changes = states.changes();
   std::optional<BarBesideRows> bar(std::in_place);
   for (session::Change change; changes.next(change);) {
-    rows.add_state(static_cast<double>(change.block) * block_s, change.state);
+    rows.add_state(static_cast<double>(change.block + change.skipped) * block_s, change.state);
     bar->show(static_cast<double>(change.block) /
               static_cast<double>(std::max<std::uint64_t>(1, states.blocks())));
   }
   bar.reset();
   rows.finish();
   fmt::print(stderr, "{}: {:.1f} s, played by rigsound {} at {:g} Hz in blocks of {} frames, seed {}\n",
-             file.string(), static_cast<double>(states.blocks()) * block_s, header.program,
+             file.string(), static_cast<double>(states.blocks() + states.skipped()) * block_s, header.program,
              header.sample_rate, header.block, header.seed);
+  if (states.skipped() > 0)
+    fmt::print(stderr, "{}: {:.1f} s of them were skipped, the machine stood still\n", file.string(),
+               static_cast<double>(states.skipped()) * block_s);
 }
 
 }  // namespace

@@ -54,6 +54,7 @@ class ShownStates : public audio::StateSource {
     bar_.show(std::min(1.0, share_(number)));
     return states_.state_of(number);
   }
+  std::uint64_t skipped_before(std::uint64_t number) override { return states_.skipped_before(number); }
 
  private:
   audio::StateSource& states_;

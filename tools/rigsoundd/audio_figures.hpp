@@ -14,6 +14,8 @@ struct AudioFigures {
   std::atomic<std::uint64_t> busy_ns{0};          ///< spent in the engine, all blocks together
   std::atomic<std::uint64_t> worst_ns{0};         ///< of one block
   std::atomic<std::uint64_t> deadline_misses{0};  ///< blocks that took longer to compute than to play
+  std::atomic<std::uint64_t> clock_jumps{0};      ///< times no block was rendered for over a second
+  std::atomic<std::uint64_t> skipped_blocks{0};   ///< that should have been, then
   std::atomic<std::uint64_t> lost_records{0};
   std::atomic<std::uint64_t> lost_clicks{0}, dropped_chunks{0};  ///< of the run, as in EngineMeters
   std::atomic<float> peak{0};                                    ///< of the last block, linear

@@ -37,7 +37,8 @@ AudioThread::AudioThread(std::unique_ptr<Engine> engine, audio::Sink& sink, Trip
       deadline_ns_(
           static_cast<std::uint64_t>(engine_->options().block * 1e9 / engine_->options().sample_rate)),
       sink_(sink),
-      states_(states) {
+      states_(states),
+      jumps_(static_cast<std::int64_t>(deadline_ns_)) {
   window_.number = 1;
 }
 
@@ -81,6 +82,7 @@ void AudioThread::render_run() {
   const std::uint32_t run = figures_.run.load(std::memory_order_relaxed);
   std::uint64_t number = 0;
   while (!stop_.load(std::memory_order_relaxed) && !next_engine_.offered()) {
+    note_jump(run, number);
     const auto begin = SteadyClock::now();
     const MachineState& state = states_.at(monotonic_s());
     if (reporter_.report(run, number, state)) heard_.write(state);
@@ -92,6 +94,14 @@ void AudioThread::render_run() {
     figures_.run_blocks.store(number, std::memory_order_release);
   }
   reporter_.report_end(run, number);
+}
+
+void AudioThread::note_jump(std::uint32_t run, std::uint64_t number) noexcept {
+  const std::uint64_t skipped = jumps_.skipped(boottime_ns());
+  if (skipped == 0) return;
+  raise<std::uint64_t>(figures_.clock_jumps, 1);
+  raise<std::uint64_t>(figures_.skipped_blocks, skipped);
+  if (number > 0) reporter_.report_skip(run, number, skipped);
 }
 
 void AudioThread::measure(std::uint64_t spent_ns) noexcept {

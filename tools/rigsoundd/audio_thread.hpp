@@ -10,6 +10,7 @@
 
 #include "audio_figures.hpp"
 #include "audio_report.hpp"
+#include "jump_watch.hpp"
 #include "live_states.hpp"
 #include "rigsound/audio/block_loop.hpp"
 #include "rigsound/audio/sink.hpp"
@@ -53,6 +54,7 @@ class AudioThread {
   void ask_scheduler();
   void begin_run();
   void render_run();
+  void note_jump(std::uint32_t run, std::uint64_t number) noexcept;
   void measure(std::uint64_t spent_ns) noexcept;
   void report_levels(const EngineMeters& meters) noexcept;
 
@@ -69,6 +71,7 @@ class AudioThread {
   RunQueue records_{kRunQueueLength};
   AudioFigures figures_;
   RunReporter reporter_{records_, figures_.lost_records};
+  JumpWatch jumps_;
   SwapSlot<Engine> next_engine_;
   std::atomic<bool> stop_{false}, ready_{false};
   std::string scheduling_;

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <string_view>
 #include <utility>
 
 #include "control_conversation.hpp"
@@ -131,6 +132,7 @@ void Daemon::poll() {
   next_poll_s_ = now_s + kPoll_s;
   if (card_ != nullptr) card_->poll();
   report_card();
+  report_jumps();
   poll_session(now_s);
   levels_.take(audio_.report().closed);
   audio_.close_window(levels_.taken() + 1);
@@ -144,9 +146,10 @@ void Daemon::poll_session(double now_s) {
   if (audio_.figures().peak.load(std::memory_order_relaxed) > 0) silent_since_s_ = now_s;
   if (change_.step != Change::Step::kNone) return;
   const bool other_card = recorder_.recording() && recorder_.header().format != session_header().format;
-  if (!other_card && !recorder_.wants_new_run(now_s - silent_since_s_)) return;
-  log_info(fmt::format("session: {} {}, the next one begins", recorder_.file().string(),
-                       other_card ? "was begun for another sample format" : "is full"));
+  const std::string_view why =
+      other_card ? "was begun for another sample format" : recorder_.wants_new_run(now_s - silent_since_s_);
+  if (why.empty()) return;
+  log_info(fmt::format("session: {} {}, the next one begins", recorder_.file().string(), why));
   begin_new_run();
 }
 
@@ -200,6 +203,17 @@ void Daemon::report_card() {
     status += "; " + bus.name + (bus.up ? " up" : " down");
   }
   service_.status(status);
+}
+
+void Daemon::report_jumps() {
+  const std::uint64_t jumps = audio_.figures().clock_jumps.load(std::memory_order_relaxed);
+  const std::uint64_t skipped = audio_.figures().skipped_blocks.load(std::memory_order_relaxed);
+  if (jumps == reported_jumps_) return;
+  const audio::AudioOptions& audio = loaded_.rig.audio;
+  log_warning(fmt::format("no block was rendered for {:.1f} s: the machine stood still",
+                          static_cast<double>(skipped - reported_skipped_) * audio.block / audio.rate));
+  reported_jumps_ = jumps;
+  reported_skipped_ = skipped;
 }
 
 session::SessionHeader Daemon::session_header() const {

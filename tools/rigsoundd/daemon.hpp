@@ -108,6 +108,7 @@ class Daemon : private DaemonControl, private osc::ControlListener {
   void poll();
   void poll_session(double now_s);
   void report_card();
+  void report_jumps();
   void handle_signals(int signals);
   bool plays_the_same(const LoadedRig& next) const;  ///< as the running engine
   void fade_out();
@@ -138,7 +139,7 @@ class Daemon : private DaemonControl, private osc::ControlListener {
   ServiceManager service_;
   audio::CardStatus reported_;
   double start_s_, next_poll_s_ = 0, silent_since_s_ = 0;
-  std::uint64_t reloads_ = 0, failed_reloads_ = 0;
+  std::uint64_t reloads_ = 0, failed_reloads_ = 0, reported_jumps_ = 0, reported_skipped_ = 0;
   bool stop_ = false;
 };
 

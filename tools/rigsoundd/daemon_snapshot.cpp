@@ -36,6 +36,8 @@ Snapshot Daemon::snapshot_with(const LevelWindow& levels) const {
   s.scheduling = audio_.scheduling();
   s.blocks = read(f.blocks);
   s.deadline_misses = read(f.deadline_misses);
+  s.clock_jumps = read(f.clock_jumps);
+  s.skipped_blocks = read(f.skipped_blocks);
   s.lost_clicks = read(f.lost_clicks);
   s.dropped_chunks = read(f.dropped_chunks);
   s.lost_records = read(f.lost_records);

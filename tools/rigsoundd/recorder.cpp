@@ -22,6 +22,7 @@ void Recorder::give_up(const std::string& why) {
 void Recorder::begin(const RunRecord& first) {
   run_ = first.run;
   problem_.clear();
+  interrupted_ = false;
   lost_at_begin_ = first.lost;
   writer_.reset();
   if (!folder_) return;
@@ -38,7 +39,17 @@ void Recorder::take(const RunRecord& record) {
   if (record.kind == RunRecord::Kind::kChange && record.block == 0) begin(record);
   if (!writer_ || run_ != record.run) return;
   if (record.kind == RunRecord::Kind::kChange) return writer_->add(record.block, record.state);
-  if (!broken()) writer_->flush(record.block);
+  if (record.kind == RunRecord::Kind::kSkip) return skip(record);
+  if (!broken()) writer_->end(record.block);
+  writer_.reset();
+}
+
+/// A night's sleep is no part of a run.
+void Recorder::skip(const RunRecord& record) {
+  const double skipped_s = static_cast<double>(record.skipped) * header_.block / header_.sample_rate;
+  interrupted_ = skipped_s > session::kLongestSkip_s;
+  if (!interrupted_) return writer_->skip(record.block, record.skipped);
+  writer_->end(record.block);
   writer_.reset();
 }
 
@@ -71,10 +82,12 @@ void Recorder::poll(double now_s) {
 
 void Recorder::finish() { drain(); }
 
-bool Recorder::wants_new_run(double silent_s) const {
-  if (!writer_) return false;
+std::string_view Recorder::wants_new_run(double silent_s) const {
+  if (interrupted_) return "was interrupted for over an hour";
+  if (!writer_) return {};
+  if (broken()) return "has lost a record";
   const std::uint64_t share = folder_->share();
-  return broken() || writer_->bytes() > (silent_s > kSilence_s ? share / 2 : share);
+  return writer_->bytes() > (silent_s > kSilence_s ? share / 2 : share) ? "is full" : std::string_view();
 }
 
 }  // namespace rigsound::daemon

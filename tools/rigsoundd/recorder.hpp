@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "audio_figures.hpp"
@@ -30,9 +31,10 @@ class Recorder {
   void poll(double now_s);
   void finish();  ///< takes the rest; the audio thread must have stopped
 
-  /// The file is at its share of the limit, or has lost a record: a new run is due. `silent_s`: how long
-  /// there has been no sound; from 2 s on a new run disturbs nobody, and half the share is enough.
-  bool wants_new_run(double silent_s) const;
+  /// Why a new run is due: the session "is full", "has lost a record" or "was interrupted for over an hour";
+  /// empty: none is. `silent_s`: how long there has been no sound; from 2 s on a new run disturbs nobody, and
+  /// half of its share of the limit makes it full.
+  std::string_view wants_new_run(double silent_s) const;
 
   void give_up(const std::string& why);  ///< this run is recorded no further
 
@@ -45,6 +47,7 @@ class Recorder {
   void take(const RunRecord& record);
   void begin(const RunRecord& first);
   void drain();
+  void skip(const RunRecord& record);
   bool broken() const;  // a change of state of this run was lost
 
   std::optional<session::SessionFolder> folder_;
@@ -57,6 +60,7 @@ class Recorder {
   std::uint64_t lost_at_begin_ = 0;
   double next_flush_s_ = 0;
   std::string problem_;
+  bool interrupted_ = false;
 };
 
 }  // namespace rigsound::daemon

@@ -12,12 +12,14 @@ namespace rigsound::daemon {
 
 /// A run is what one engine rendered from its block 0 on.
 struct RunRecord {
-  enum class Kind : std::uint8_t { kChange, kEnd };
+  enum class Kind : std::uint8_t { kChange, kSkip, kEnd };
   Kind kind = Kind::kChange;
-  std::uint32_t run = 0;    ///< counts engines
-  std::uint64_t block = 0;  ///< kChange: `state` acts from it on; kEnd: it was not rendered any more
+  std::uint32_t run = 0;  ///< counts engines
+  std::uint64_t block =
+      0;  ///< kChange: `state` acts from it on; kSkip: before it; kEnd: not rendered any more
   MachineState state;
-  std::uint64_t lost = 0;  ///< records dropped so far, in all runs
+  std::uint64_t lost = 0;     ///< records dropped so far, in all runs
+  std::uint64_t skipped = 0;  ///< kSkip: blocks that time went by for
 };
 
 /// Bounded: the audio thread drops records (and counts) rather than wait.
@@ -35,11 +37,14 @@ class RunReporter {
   bool report(std::uint32_t run, std::uint64_t block, const MachineState& state) noexcept {
     if (block != 0 && state == last_) return false;
     last_ = state;
-    enqueue({RunRecord::Kind::kChange, run, block, state, 0});
+    enqueue({RunRecord::Kind::kChange, run, block, state, 0, 0});
     return true;
   }
+  void report_skip(std::uint32_t run, std::uint64_t block, std::uint64_t skipped) noexcept {
+    enqueue({RunRecord::Kind::kSkip, run, block, {}, 0, skipped});
+  }
   void report_end(std::uint32_t run, std::uint64_t block) noexcept {
-    enqueue({RunRecord::Kind::kEnd, run, block, {}, 0});
+    enqueue({RunRecord::Kind::kEnd, run, block, {}, 0, 0});
   }
 
  private:

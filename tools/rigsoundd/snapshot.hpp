@@ -70,8 +70,9 @@ struct Snapshot {
   std::string scheduling;
   std::uint64_t blocks = 0, deadline_misses = 0, lost_records = 0;
   std::uint64_t lost_clicks = 0, dropped_chunks = 0;  ///< of the run, as in EngineMeters
-  double block_s = 0;                                 ///< length of a block
-  double block_mean_s = 0;                            ///< time to compute one
+  std::uint64_t clock_jumps = 0, skipped_blocks = 0;
+  double block_s = 0;       ///< length of a block
+  double block_mean_s = 0;  ///< time to compute one
   double block_worst_s = 0;
   LevelSnapshot output,
       diesel;               ///< these and the booms': of the last moments; of a scrape: since the last one

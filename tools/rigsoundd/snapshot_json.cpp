@@ -27,7 +27,9 @@ Json audio_json(const Snapshot& s) {
                {"block_mean_us", s.block_mean_s * 1e6},
                {"block_worst_us", s.block_worst_s * 1e6},
                {"load", s.block_s > 0 ? s.block_mean_s / s.block_s : 0},
-               {"deadline_misses", s.deadline_misses}};
+               {"deadline_misses", s.deadline_misses},
+               {"clock_jumps", s.clock_jumps},
+               {"skipped_blocks", s.skipped_blocks}};
   for (std::size_t i = 0; i < s.card.events.size(); ++i) json[kEventNames[i]] = s.card.events[i];
   return json;
 }

@@ -73,6 +73,8 @@ void add_audio(Page& page, const Snapshot& s) {
   for (std::size_t i = 0; i < s.card.events.size(); ++i)
     page.counter(kCardCounters[i].name, s.card.events[i], kCardCounters[i].help);
   page.counter("deadline_misses", s.deadline_misses, "Blocks that took longer to compute than to play.");
+  page.counter("clock_jumps", s.clock_jumps, "Times no block was rendered for over a second.");
+  page.counter("skipped_blocks", s.skipped_blocks, "Blocks that were not rendered then.");
   page.gauge("card_playing", s.card.playing ? 1 : 0, "1 while a sound card is open; never for device null.");
   page.gauge("block_time_mean_seconds", s.block_mean_s, "Time to compute a block, mean.", "seconds");
   page.gauge("block_time_worst_seconds", s.block_worst_s, "Time to compute a block, worst.", "seconds");

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Keeps every block; as fast as it can, but for a breath that lets other threads run.
+/// Keeps every block and skip; as fast as it can, but for a breath that lets other threads run.
 class KeepingSink : public audio::Sink {
  public:
   explicit KeepingSink(std::size_t samples) : samples_(samples) {}
@@ -30,11 +30,15 @@ class KeepingSink : public audio::Sink {
     if (number == 0) runs_.emplace_back();
     runs_.back().insert(runs_.back().end(), block, block + samples_);
     std::this_thread::sleep_for(std::chrono::microseconds(100));
+    if (runs_.size() == 1 && number == stall_at) std::this_thread::sleep_for(std::chrono::milliseconds(1500));
   }
+  void skip(std::uint64_t blocks) override { runs_.back().resize(runs_.back().size() + samples_ * blocks); }
   std::vector<std::vector<float>> runs() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return runs_;
   }
+
+  std::uint64_t stall_at = UINT64_MAX;  ///< a block that takes 1.5 s, as if the machine stood still
 
  private:
   std::size_t samples_;
@@ -109,6 +113,102 @@ TEST_CASE("A session renders the very samples that were played, over a change of
   CHECK(s.audio.figures().lost_records == 0);
 }
 
+TEST_CASE("A stall of over a second is counted, and silence in what the session renders") {
+  Setup s;
+  s.sink.stall_at = 100;
+  s.audio.start();
+  s.drill(300);
+  s.audio.stop();
+  s.recorder.finish();
+  REQUIRE(s.audio.figures().clock_jumps >= 1);
+  const std::uint64_t skipped = s.audio.figures().skipped_blocks;
+  CHECK(skipped >= 1124);  // of 1.5 s at 750 a second
+  const std::size_t samples = static_cast<std::size_t>(s.options.block * s.options.channels);
+  std::vector<float> played = s.sink.runs()[0];
+  const std::vector<float> rendered = s.rendered(session::newest_session(s.sessions));
+  CHECK(rendered.size() == played.size() + samples * skipped);
+  if (s.audio.figures().clock_jumps == 1) {  // the machine itself may stall
+    played.insert(played.begin() + static_cast<std::ptrdiff_t>(101 * samples), samples * skipped, 0.0F);
+    CHECK(rendered == played);
+  }
+  CHECK(session::SessionStates(session::newest_session(s.sessions)).ended_in_order());
+}
+
+namespace {
+
+RunRecord record(RunRecord::Kind kind, std::uint64_t block, std::uint64_t skipped = 0) {
+  RunRecord made;
+  made.kind = kind;
+  made.block = block;
+  made.skipped = skipped;
+  return made;
+}
+
+}  // namespace
+
+TEST_CASE("After a skip of over an hour the session has ended in order, and the next is due") {
+  using Kind = RunRecord::Kind;
+  for (const std::uint64_t hours : {1, 2}) {
+    Setup s;
+    RunQueue queue(16);
+    AudioFigures figures;
+    Recorder recorder(session::SessionFolder(s.folder / "r", 1 << 20), queue, figures);
+    recorder.expect_run({"test", "0", 1, 48000, 64, 2, audio::SampleFormat::kFloat});
+    queue.enqueue(record(Kind::kChange, 0));
+    queue.enqueue(record(Kind::kSkip, 40, hours * 3600 * 750));
+    recorder.poll(0);
+    CHECK(recorder.recording() == (hours == 1));
+    CHECK(recorder.wants_new_run(0) == (hours == 1 ? "" : "was interrupted for over an hour"));
+    if (hours == 1) {
+      queue.enqueue(record(Kind::kEnd, 50));
+      recorder.finish();
+    }
+    const session::SessionStates session(session::newest_session(s.folder / "r"));
+    CHECK(session.ended_in_order());
+    CHECK(session.blocks() == (hours == 1 ? 50 : 40));
+    CHECK(session.skipped() == (hours == 1 ? 3600 * 750 : 0));
+  }
+}
+
+TEST_CASE("A session is full at its share of the limit, or at half of it where a new run disturbs nobody") {
+  using Kind = RunRecord::Kind;
+  Setup s;
+  RunQueue queue(16);
+  AudioFigures figures;
+  Recorder recorder(session::SessionFolder(s.folder / "r", 40000), queue, figures);  // a share: 10 000
+  recorder.expect_run({"test", "0", 1, 48000, 64, 2, audio::SampleFormat::kFloat});
+  CHECK(recorder.wants_new_run(0).empty());
+  RunRecord change = record(Kind::kChange, 0);
+  for (std::uint64_t block = 0; recorder.bytes() <= 10000; ++block) {
+    if (block > 0) {
+      CHECK(recorder.wants_new_run(0).empty());
+      CHECK(recorder.wants_new_run(2).empty());
+      CHECK(recorder.wants_new_run(2.1) == (recorder.bytes() > 5000 ? "is full" : ""));
+    }
+    change.block = block;
+    change.state.engine_rpm = static_cast<float>(block);
+    queue.enqueue(change);
+    figures.run_blocks = block + 1;
+    recorder.poll(static_cast<double>(block));
+  }
+  CHECK(recorder.wants_new_run(0) == "is full");
+  figures.lost_records = 1;
+  CHECK(recorder.wants_new_run(0) == "has lost a record");
+}
+
+TEST_CASE("A block that takes longer to compute than to play is a deadline missed; any other is none") {
+  Setup s;
+  s.audio.start();
+  s.drill(300);
+  s.audio.stop();
+  const AudioFigures& f = s.audio.figures();
+  const double worst_s = static_cast<double>(f.worst_ns) * 1e-9;
+  const double block_s = s.options.block / s.options.sample_rate;
+  CHECK((f.deadline_misses > 0) == (worst_s > block_s));
+  CHECK(f.busy_ns >= f.worst_ns);
+  CHECK(static_cast<double>(f.busy_ns) < static_cast<double>(f.worst_ns) * static_cast<double>(f.blocks));
+}
+
 TEST_CASE("A recorder that is not polled loses records, says so, and writes nothing false") {
   Setup s;
   s.audio.start();
@@ -117,7 +217,7 @@ TEST_CASE("A recorder that is not polled loses records, says so, and writes noth
       board.take({{Signal::kFeedPressureBar}, static_cast<double>(i % 290), Validity::kValid, 0});
     });
   s.recorder.poll(1);
-  CHECK(s.recorder.wants_new_run(0));
+  CHECK(s.recorder.wants_new_run(0) == "has lost a record");
   s.audio.stop();
   s.recorder.finish();
   CHECK_THROWS(

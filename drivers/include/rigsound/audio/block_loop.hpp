@@ -19,6 +19,9 @@ class StateSource {
   /// blocks. Valid until the next call. Live sources never block, allocate or throw (Thread: RT); sources
   /// that read files throw InputError (Thread: OFF).
   virtual const MachineState* state_of(std::uint64_t number) = 0;
+
+  /// Blocks of silence before block `number`: time that a live run lost, and its engine did not compute.
+  virtual std::uint64_t skipped_before(std::uint64_t /*number*/) { return 0; }
 };
 
 /// Room for one block of the engine. Thread: OFF.

@@ -25,8 +25,8 @@ class Pacer {
  public:
   Pacer(Clock& clock, double rate_hz, int block_frames);
 
-  void start() noexcept;  ///< from now on
-  void wait() noexcept;   ///< until the next block is due
+  void start(std::int64_t ahead_ns = 0) noexcept;  ///< from now on, or from later
+  void wait() noexcept;                            ///< until the next block is due
 
  private:
   Clock& clock_;

@@ -28,6 +28,7 @@ class EndingStates : public StateSource {
   const MachineState* state_of(std::uint64_t number) override {
     return number < last_ ? states_.state_of(number) : nullptr;
   }
+  std::uint64_t skipped_before(std::uint64_t number) override { return states_.skipped_before(number); }
 
  private:
   StateSource& states_;
@@ -39,12 +40,18 @@ class LateSink : public Sink {
  public:
   LateSink(Sink& sink, std::uint64_t first) : sink_(sink), first_(first) {}
   void write(const float* block, std::uint64_t number) override {
-    if (number >= first_) sink_.write(block, number - first_);
+    if (number < first_) return;
+    begun_ = true;
+    sink_.write(block, number - first_);
+  }
+  void skip(std::uint64_t blocks) override {
+    if (begun_) sink_.skip(blocks);
   }
 
  private:
   Sink& sink_;
   std::uint64_t first_;
+  bool begun_ = false;
 };
 
 }  // namespace rigsound::audio

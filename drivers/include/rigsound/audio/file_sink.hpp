@@ -26,6 +26,7 @@ class FileSink : public Sink {
   FileSink(const std::filesystem::path& file, const Format& format, Tap tap = {});
 
   void write(const float* block, std::uint64_t number) override;
+  void skip(std::uint64_t blocks) override;
 
   /// Finishes the file and puts it in place. Errors: DeviceError.
   void commit();
@@ -34,6 +35,8 @@ class FileSink : public Sink {
   std::uint64_t clipped() const { return writer_.clipped(); }
 
  private:
+  void append();
+
   Format format_;
   Tap tap_;
   std::vector<unsigned char> bytes_;  ///< one block

@@ -14,6 +14,9 @@ class Sink {
   /// counts the blocks since the engine was built or reset, from 0. Live sinks never throw and have no
   /// errors (Thread: RT); file sinks throw DeviceError (Thread: OFF).
   virtual void write(const float* block, std::uint64_t number) = 0;
+
+  /// So many blocks of silence, which do not count. Where time itself makes the silence: nothing.
+  virtual void skip(std::uint64_t /*blocks*/) {}
 };
 
 }  // namespace rigsound::audio

@@ -21,9 +21,10 @@ class SessionFolder {
   std::uint64_t share() const { return limit_bytes_ / 4; }  ///< what one session may take
 
   /// A new session; the folder is made when it is not there. To make room, sessions under 10 s in which
-  /// nothing was told go first. Then, until a share is free and fewer than 1000 are left, the oldest under 10
-  /// s, so that a crash loop pushes out no incident, and then the oldest. What is being written stays.
-  /// Errors: DeviceError.
+  /// nothing was told go first. Then, until a share is free and fewer than 1000 are left, each kind oldest
+  /// first: those under 10 s that ended in order, the others that did, those that a crash ended within a
+  /// minute after another crash, and last those that a crash ended. What is being written stays. Errors:
+  /// DeviceError.
   std::unique_ptr<SessionWriter> begin(const SessionHeader& header,
                                        std::chrono::system_clock::time_point now);
 

@@ -17,21 +17,27 @@ class SessionStates : public audio::StateSource {
   explicit SessionStates(const std::filesystem::path& file);
 
   const SessionHeader& header() const { return changes_->header(); }
-  std::uint64_t blocks() const { return blocks_; }          ///< of the whole chunks
+  std::uint64_t blocks() const { return blocks_; }    ///< rendered, of the whole chunks
+  std::uint64_t skipped() const { return skipped_; }  ///< beside them
+  bool ended_in_order() const { return ended_in_order_; }
   std::uint64_t bytes_ignored() const { return ignored_; }  ///< after them: a torn or damaged end
 
   SessionChanges changes() const { return SessionChanges(file_); }  ///< all of them, from the first one on
 
   const MachineState* state_of(std::uint64_t number) override;
+  std::uint64_t skipped_before(std::uint64_t number) override;
 
  private:
   void rewind();
+  void go_to(std::uint64_t number);
 
   InputFile file_;
   std::optional<SessionChanges> changes_;
-  std::uint64_t blocks_ = 0, ignored_ = 0;
+  std::uint64_t blocks_ = 0, skipped_ = 0, ignored_ = 0;
+  bool ended_in_order_ = false;
   Change acting_, ahead_;
-  bool more_ = false;  // ahead_ is yet to act
+  std::uint64_t here_ = 0, skipped_before_ = 0;  // block gone to; skipped before those of acting_'s block
+  bool more_ = false;                            // ahead_ is yet to act
 };
 
 }  // namespace rigsound::session

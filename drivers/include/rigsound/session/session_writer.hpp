@@ -12,7 +12,9 @@
 
 namespace rigsound::session {
 
-constexpr int kSessionFormat = 4;  ///< 4: signals that a user holds are marked
+constexpr int kSessionFormat = 5;        ///< 5: skips, and an end in order, are marked
+constexpr int kOldestSessionFormat = 4;  ///< that is read too; 4: signals that a user holds are marked
+constexpr double kLongestSkip_s = 3600;  ///< of a session; after a longer one the next begins
 
 /// What must be the same for the same samples to come out.
 struct SessionHeader {
@@ -25,9 +27,9 @@ struct SessionHeader {
   audio::SampleFormat format = audio::SampleFormat::kFloat;  ///< the card's
 };
 
-/// A header in text, then chunks: magic, size and CRC-32, number of the block that follows, and the changes
-/// of state since the chunk before (block, fields that changed). A chunk that is not whole ends the file.
-/// Thread: CT.
+/// A header in text, then chunks: kind, size and CRC-32, number of the block that follows, and the changes of
+/// state since the chunk before (block, fields that changed), the blocks that were skipped, or the end. A
+/// chunk that is not whole ends the file. Thread: CT.
 class SessionWriter {
  public:
   /// `fd`: of the empty file that the session is written to; it stays locked (flock) until the end.
@@ -40,6 +42,12 @@ class SessionWriter {
   /// Hands everything to the kernel, which keeps it when this process is killed. `blocks`: rendered so
   /// far. Errors: DeviceError; the file then ends with the chunk before.
   void flush(std::uint64_t blocks);
+
+  /// Before `block` time went by for `count` blocks that were not rendered. Errors as of flush().
+  void skip(std::uint64_t block, std::uint64_t count);
+
+  /// The run ends in order, after `blocks`. Errors as of flush().
+  void end(std::uint64_t blocks);
 
   std::uint64_t bytes() const { return bytes_; }
   const std::filesystem::path& file() const { return file_; }

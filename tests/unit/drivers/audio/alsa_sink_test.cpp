@@ -203,6 +203,61 @@ TEST_CASE("A card that cannot be prepared is given up and closed before it is op
   CHECK(rig.card.open_streams == 0);
 }
 
+TEST_CASE("A device that never blocks is given up within a second, and the block clock pays back its lead") {
+  Rig rig;
+  const std::int64_t begin_ns = rig.clock.now;
+  rig.play(750);  // a second
+  CHECK(rig.events(CardEvent::kLost) == 1);
+  CHECK_FALSE(rig.sink->status().playing);
+  CHECK(rig.ramp().size() <= 110 * kBlock);  // the buffer and 0.1 s
+  CHECK(static_cast<double>(rig.clock.now - begin_ns) == doctest::Approx(1e9).epsilon(0.01));
+  rig.sink->poll();
+  CHECK(rig.card.open_streams == 0);
+  CHECK(rig.sink->status().description.find("it has no clock") != std::string::npos);
+  rig.clock.now += 59'000'000'000;
+  rig.sink->poll();
+  CHECK(rig.opens == 1);  // not over and over
+  rig.clock.now += 2'000'000'000;
+  rig.sink->poll();
+  CHECK(rig.opens == 2);
+  CHECK(rig.sink->status().playing);
+}
+
+TEST_CASE("A card that plays in time is no such device, however it drifts or bursts within its buffer") {
+  const double block_ns = kBlock * 1e9 / 48000;
+  for (const double speed : {0.5, 0.999, 1.0, 1.001, 1.02}) {
+    CAPTURE(speed);
+    PaceWatch watch;
+    watch.start(0, block_ns, kPeriods * block_ns);
+    bool in_time = true;
+    for (int i = 1; i <= 750 * 60; ++i) {
+      const int played = i / 64 * 64;  // takes 64 blocks at once, every 85 ms
+      in_time = watch.taken(static_cast<std::int64_t>(played * block_ns / speed)) && in_time;
+    }
+    CHECK(in_time);
+  }
+  PaceWatch twice;
+  twice.start(0, block_ns, kPeriods * block_ns);
+  int taken = 1;
+  while (taken < 10000 && twice.taken(static_cast<std::int64_t>(taken * block_ns / 2))) ++taken;
+  CHECK(taken < 750);  // at double speed within a second
+  CHECK(taken > 100);
+}
+
+TEST_CASE("A card that is lost soon after each opening is opened less and less often") {
+  Rig rig;
+  rig.card.wait_answer = -ENODEV;
+  std::vector<std::int64_t> opened_ms;
+  for (int ms = 0; ms < 30'000; ms += 10, rig.clock.now += 10'000'000) {
+    const int before = rig.opens;
+    rig.sink->poll();
+    if (rig.opens != before) opened_ms.push_back(ms);
+    if (rig.sink->status().playing) rig.play(1);
+  }
+  CHECK(rig.opens < 13);
+  CHECK(opened_ms.back() - opened_ms[opened_ms.size() - 2] >= 5000);
+}
+
 TEST_CASE("A missing card is looked for with pauses from 0.1 s doubling to 5 s") {
   Rig rig(false);
   CHECK(rig.opens == 1);

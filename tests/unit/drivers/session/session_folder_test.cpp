@@ -30,15 +30,19 @@ MachineState drilling(int i) {
   return state;
 }
 
+enum class Ending { kInOrder, kCrash };
+
 /// A run from `start` on that `tells` so many states.
-fs::path record(SessionFolder& folder, Clock::time_point start, seconds length, int tells) {
+fs::path record(SessionFolder& folder, Clock::time_point start, seconds length, int tells,
+                Ending ending = Ending::kInOrder) {
   const auto writer = folder.begin({}, start);
   MachineState state;
   writer->add(0, state);
   state.output_gain = 0.5F;  // a fade says nothing
   writer->add(1, state);
   for (int i = 0; i < tells; ++i) writer->add(static_cast<std::uint64_t>(i + 2), drilling(i));
-  writer->flush(static_cast<std::uint64_t>(length.count() * 750));
+  const auto blocks = static_cast<std::uint64_t>(length.count() * 750);
+  ending == Ending::kInOrder ? writer->end(blocks) : writer->flush(blocks);
   // Its last write, in the file system's clock.
   const auto ago = Clock::now() - (start + length);
   fs::last_write_time(writer->file(), fs::file_time_type::clock::now() -
@@ -93,6 +97,40 @@ TEST_CASE("A crash loop pushes out no longer session: what is short goes first, 
   int silent = 0;
   for (const std::string& name : names_in(place.path)) silent += name >= "2026-11-30T12-46" ? 1 : 0;
   CHECK(silent == 1);  // the last one is there until the next begins
+}
+
+TEST_CASE(
+    "What crashed first outlives the crash loop that follows and the runs in order, however short it was") {
+  const TemporaryFolder place;
+  SessionFolder folder(place.path, 100000);
+  const fs::path incident = record(folder, kNoon, seconds(5), 3000, Ending::kCrash);
+  REQUIRE(fs::file_size(incident) > 20000);
+  std::vector<fs::path> loop;
+  for (int i = 0; i < 40; ++i)
+    loop.push_back(record(folder, kNoon + seconds(6 + 20 * i), seconds(18), 800, Ending::kCrash));
+  CHECK(fs::exists(incident));
+  CHECK_FALSE(fs::exists(loop.front()));
+  CHECK(fs::exists(loop.back()));
+  const fs::path second = record(folder, kNoon + seconds(2000), seconds(60), 800, Ending::kCrash);
+  std::vector<fs::path> days;
+  for (int i = 0; i < 40; ++i)
+    days.push_back(record(folder, kNoon + seconds(3000 + 100 * i), seconds(60), 2000));
+  CHECK(fs::exists(incident));
+  CHECK(fs::exists(second));
+  CHECK_FALSE(fs::exists(days.front()));
+  std::uintmax_t bytes = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(place.path)) bytes += entry.file_size();
+  CHECK(bytes < 100000);
+}
+
+TEST_CASE("When only incidents are left the oldest goes: the limit holds") {
+  const TemporaryFolder place;
+  SessionFolder folder(place.path, 100000);
+  std::vector<fs::path> incidents;
+  for (int i = 0; i < 10; ++i)
+    incidents.push_back(record(folder, kNoon + seconds(1000 * i), seconds(600), 2000, Ending::kCrash));
+  CHECK_FALSE(fs::exists(incidents.front()));
+  CHECK(fs::exists(incidents.back()));
 }
 
 TEST_CASE("A long session in which nothing was told stays: it says that no bus spoke") {

@@ -114,7 +114,8 @@ TEST_CASE("A change of one field writes this field and no other, whichever it is
   for (std::size_t i = 0; i < kStateWords; ++i) {
     CAPTURE(i);
     acting.push_back(acting.back());
-    acting.back()[i] ^= acting.back()[i] == 0 ? 1 : 2;  // "from the feed" is 2, one rod 1: never to what is nothing
+    acting.back()[i] ^=
+        acting.back()[i] == 0 ? 1 : 2;  // "from the feed" is 2, one rod 1: never to what is nothing
     const std::uint64_t before = writer.bytes();
     writer.add(acting.size() - 1, state_of(acting.back()));
     writer.flush(acting.size());
@@ -127,6 +128,66 @@ TEST_CASE("A change of one field writes this field and no other, whichever it is
   REQUIRE(session.blocks() == acting.size());
   for (std::size_t block = 0; block < acting.size(); ++block)
     CHECK(words_of(*session.state_of(block)) == acting[block]);
+}
+
+TEST_CASE("Skipped time lies before its block, counts in later changes, and an end in order is told") {
+  const Folder folder;
+  {
+    SessionWriter writer(folder.file, new_file(folder.file), {});
+    writer.add(0, state(0));
+    writer.add(7, state(1));
+    writer.skip(9, 2251);
+    writer.add(9, state(2));
+    writer.flush(20);
+    writer.skip(20, 5);
+    writer.skip(20, 6);
+    writer.end(30);
+  }
+  SessionStates session(folder.file);
+  CHECK(session.blocks() == 30);
+  CHECK(session.skipped() == 2262);
+  CHECK(session.ended_in_order());
+  CHECK(session.bytes_ignored() == 0);
+  SessionChanges changes = session.changes();
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> told;  // block, skipped
+  for (Change change; changes.next(change);) told.emplace_back(change.block, change.skipped);
+  CHECK(told == std::vector<std::pair<std::uint64_t, std::uint64_t>>{
+                    {0, 0}, {7, 0}, {9, 2251}, {9, 2251}, {20, 2256}, {20, 2262}});
+  std::uint64_t skipped = 0;
+  for (std::uint64_t block = 0; block < 31; ++block) skipped += session.skipped_before(block);
+  CHECK(skipped == 2262);
+  CHECK(session.skipped_before(9) == 2251);
+  CHECK(session.skipped_before(20) == 11);
+
+  const std::string whole = bytes_of(folder.file);
+  write_bytes(folder.file, whole.substr(0, whole.size() - 1));
+  CHECK_FALSE(SessionStates(folder.file).ended_in_order());
+  CHECK(SessionStates(folder.file).blocks() == 30);
+}
+
+TEST_CASE("A skip of over an hour is no skip") {
+  const Folder folder;
+  SessionWriter writer(folder.file, new_file(folder.file), {});
+  writer.add(0, state(0));
+  writer.skip(5, 3600 * 750);
+  CHECK(SessionStates(folder.file).skipped() == 3600 * 750);
+  writer.skip(6, 3600 * 750 + 1);
+  CHECK_THROWS_AS(SessionStates{folder.file}, InputError);
+}
+
+TEST_CASE("A session of the format before is read, one before that is not") {
+  const Folder folder;
+  write_session(folder.file, 100);
+  std::string bytes = bytes_of(folder.file);
+  const std::size_t digit = bytes.find(" 5\n");
+  REQUIRE(digit != std::string::npos);
+  bytes[digit + 1] = '4';
+  write_bytes(folder.file, bytes);
+  SessionStates session(folder.file);
+  check_states(session);
+  bytes[digit + 1] = '3';
+  write_bytes(folder.file, bytes);
+  CHECK_THROWS_AS(SessionStates{folder.file}, InputError);
 }
 
 TEST_CASE("Cut off or damaged anywhere, a session gives the whole chunks before") {
@@ -205,7 +266,7 @@ TEST_CASE("A state that no writer writes is refused, with the signal") {
     std::string payload(1, '\0');  // block 0, then all words
     for (const std::uint64_t mask : WordMasks{~0ULL, ~0ULL}) put_varint(payload, mask);
     for (const std::uint32_t word : words) put_u32(payload, word);
-    write_bytes(folder.file, bytes_of(folder.file) + chunk(750, payload));
+    write_bytes(folder.file, bytes_of(folder.file) + chunk_bytes({ChunkKind::kChanges, 750, payload}));
     return complaint([&] { SessionStates{folder.file}; });
   };
   const std::string head = folder.file.string() + ": state of block 0: ";
@@ -231,7 +292,7 @@ TEST_CASE("A session whose blocks run backwards, or on and on, is refused") {
     std::string payload;
     put_varint(payload, step);
     payload.append(sizeof(WordMasks) / 8, '\0');  // nothing changes
-    write_bytes(folder.file, bytes_of(folder.file) + chunk(blocks, payload));
+    write_bytes(folder.file, bytes_of(folder.file) + chunk_bytes({ChunkKind::kChanges, blocks, payload}));
     return complaint([&] { SessionStates{folder.file}; });
   };
   const std::uint64_t an_hour = 3600 * 750;
