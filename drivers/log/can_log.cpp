@@ -32,7 +32,7 @@ std::map<std::string, const can::CanOptions*> buses_by_interface(const std::vect
     else if (const can::CanOptions* turned = of_rig(first))
       by_interface[second] = turned;
     else
-      throw InputError("--can " + first + "=" + second,
+      throw InputError(std::string("--can ").append(first).append("=").append(second),
                        "names no interface of the rig, expected LOG_INTERFACE=RIG_INTERFACE");
   }
   return by_interface;

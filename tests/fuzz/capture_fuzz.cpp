@@ -1,5 +1,6 @@
 // Any bytes as a pcap or a pcapng: no crash, no packet outside of the file, and whatever is in it is read as
 // CAN, Modbus and UDP. The mutator knows the records of a pcap.
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <string>
@@ -51,7 +52,7 @@ std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::s
   const std::string record = bytes.substr(at, kRecordHead) + packet;
   bytes.replace(at, end - at, seed % 16 == 1 ? record + record : record);
   if (bytes.size() > most) return LLVMFuzzerMutate(data, size, most);
-  std::memcpy(data, bytes.data(), bytes.size());
+  std::copy(bytes.begin(), bytes.end(), data);
   return bytes.size();
 }
 

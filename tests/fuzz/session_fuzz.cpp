@@ -1,7 +1,7 @@
 // Any bytes as a session: read or refused; what is read is written and read again as the same. The mutator
 // changes what chunks hold and makes their checksums right.
+#include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <sstream>
 
 #include "fuzz_target.hpp"
@@ -76,7 +76,7 @@ std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::s
   if (seed % 16 == 1) session.chunks.push_back(chosen);
   const std::string bytes = session.bytes();
   if (bytes.size() > most) return LLVMFuzzerMutate(data, size, most);
-  std::memcpy(data, bytes.data(), bytes.size());
+  std::copy(bytes.begin(), bytes.end(), data);
   return bytes.size();
 }
 

@@ -1,7 +1,6 @@
 // Changes JSON and TOML by whole tokens, so that what comes out still parses most of the time: numbers become
 // others at the edges, keys and values change places, are doubled, dropped or nested.
 #include <algorithm>
-#include <cstring>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -79,8 +78,10 @@ void change_number(std::vector<std::string>& tokens, Dice& dice) {
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     std::string& token = tokens[(from + i) % tokens.size()];
     if (!is_number(token)) continue;
-    token =
-        dice.below(3) == 0 ? token + static_cast<char>('0' + dice.below(10)) : std::string(dice.of(kNumbers));
+    if (dice.below(3) == 0)
+      token += static_cast<char>('0' + dice.below(10));
+    else
+      token = dice.of(kNumbers);
     return;
   }
 }
@@ -133,6 +134,6 @@ std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::s
   std::string text;
   for (const std::string& token : tokens) text += token;
   text.resize(std::min(text.size(), most));
-  std::memcpy(data, text.data(), text.size());
+  std::copy(text.begin(), text.end(), data);
   return text.size();
 }

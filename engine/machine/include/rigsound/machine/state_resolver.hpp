@@ -19,8 +19,8 @@ class StateResolver {
   /// signal has grown stale.
   bool due(double now_s) const noexcept { return now_s >= next_change_s_; }
 
-  /// Whether the last resolve() found every signal as its bus says: no safety rule stood in for one, in part or
-  /// whole, and no user held one.
+  /// Whether the last resolve() found every signal as its bus says: no safety rule stood in for one, in part
+  /// or whole, and no user held one.
   bool as_told() const noexcept { return as_told_; }
 
   /// What stands for a signal after the safety rule, as resolve() last set it and as the bus said it: the
