@@ -18,7 +18,7 @@
 #include "rigsound/device_error.hpp"
 #include "rigsound/file/file_descriptor.hpp"
 #include "rigsound/machine/input_error.hpp"
-#include "rigsound/session/session_states.hpp"
+#include "rigsound/session/session_changes.hpp"
 #include "session/session_format.hpp"
 
 namespace rigsound::session {
@@ -91,13 +91,14 @@ std::vector<OldSession> sessions_in(const fs::path& folder) {
 
 /// Whether neither a bus nor a user said anything in it. Of one that another version wrote nothing is known.
 bool tells_nothing(const fs::path& file) {
-  const auto neutral = [](SessionStates::Change change) {
-    change.state.output_gain = MachineState{}.output_gain;  // mute and the daemon's own fades
-    return change.state == MachineState{};
-  };
   try {
-    const SessionStates states(file);
-    return std::all_of(states.changes().begin(), states.changes().end(), neutral);
+    const InputFile input(file, "session");
+    SessionChanges changes(input);
+    for (Change change; changes.next(change);) {
+      change.state.output_gain = MachineState{}.output_gain;  // mute and the daemon's own fades
+      if (change.state != MachineState{}) return false;
+    }
+    return true;
   } catch (const SessionWithoutState&) {
     return true;
   } catch (const InputError&) {

@@ -1,5 +1,7 @@
 #include "session/session_format.hpp"
 
+#include <zlib.h>
+
 #include <array>
 #include <sstream>
 
@@ -8,14 +10,11 @@
 namespace rigsound::session {
 namespace {
 
-// CRC-32 of ISO 3309, reflected polynomial 0xEDB88320.
-std::uint32_t crc32(std::string_view bytes) {
-  std::uint32_t crc = 0xffffffff;
-  for (const char c : bytes) {
-    crc ^= static_cast<unsigned char>(c);
-    for (int bit = 0; bit < 8; ++bit) crc = (crc & 1) != 0 ? crc >> 1 ^ 0xedb88320 : crc >> 1;
-  }
-  return ~crc;
+std::uint32_t crc32_of(std::string_view blocks, std::string_view payload) {
+  uLong crc = 0;
+  for (const std::string_view bytes : {blocks, payload})
+    crc = ::crc32_z(crc, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
+  return static_cast<std::uint32_t>(crc);
 }
 
 void put_u64(std::string& out, std::uint64_t value) {
@@ -62,27 +61,27 @@ bool get_varint(std::string_view& in, std::uint64_t& value) {
 }
 
 std::string chunk(std::uint64_t blocks, std::string_view payload) {
-  std::string checked;
-  put_u64(checked, blocks);
-  checked.append(payload);
+  std::string counted;
+  put_u64(counted, blocks);
   std::string out;
   put_u32(out, kChunkMagic);
   put_u32(out, static_cast<std::uint32_t>(payload.size()));
-  put_u32(out, crc32(checked));
-  return out.append(checked);
+  put_u32(out, crc32_of(counted, payload));
+  return out.append(counted).append(payload);
 }
 
-bool read_chunk(std::string_view bytes, std::size_t& at, std::uint64_t& blocks, std::string_view& payload) {
-  if (at > bytes.size()) return false;
-  std::string_view in = bytes.substr(at);
+bool read_chunk(std::istream& in, std::uint64_t& blocks, std::string& payload) {
+  std::array<char, kChunkHeadBytes> bytes;
+  if (!in.read(bytes.data(), bytes.size())) return false;
+  std::string_view rest(bytes.data(), bytes.size());
   ChunkHead head;
-  const bool headed = get_u32(in, head.magic) && head.magic == kChunkMagic && get_u32(in, head.size) &&
-                      get_u32(in, head.check) && in.size() >= 8 && in.size() - 8 >= head.size;
-  if (!headed || crc32(in.substr(0, 8 + head.size)) != head.check) return false;
-  get_u64(in, blocks);
-  payload = in.substr(0, head.size);
-  at += kChunkHeadBytes + head.size;
-  return true;
+  get_u32(rest, head.magic);
+  get_u32(rest, head.size);
+  get_u32(rest, head.check);
+  if (head.magic != kChunkMagic || head.size > kMostChunkBytes) return false;
+  payload.resize(head.size);
+  if (!in.read(payload.data(), head.size) || crc32_of(rest, payload) != head.check) return false;
+  return get_u64(rest, blocks);
 }
 
 std::string header_text(const SessionHeader& h) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <istream>
 #include <string>
 #include <string_view>
 
@@ -20,11 +21,12 @@ struct ChunkHead {
   std::uint64_t blocks = 0;  ///< rendered when the chunk was written
 };
 constexpr std::size_t kChunkHeadBytes = 20;
+constexpr std::uint32_t kMostChunkBytes = 64 << 20;  ///< the daemon writes two small ones a second
 
 std::string chunk(std::uint64_t blocks, std::string_view payload);
 
-/// Reads the chunk at `at` and moves `at` behind it. Returns false when there is no whole, sound chunk.
-bool read_chunk(std::string_view bytes, std::size_t& at, std::uint64_t& blocks, std::string_view& payload);
+/// Reads the chunk that comes next. Returns false when there is no whole, sound chunk.
+bool read_chunk(std::istream& in, std::uint64_t& blocks, std::string& payload);
 
 std::string header_text(const SessionHeader& header);
 

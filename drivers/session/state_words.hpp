@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 
 #include "rigsound/machine/machine_state.hpp"
 
@@ -24,5 +25,8 @@ inline void mark(WordMasks& masks, std::size_t i) { masks[i / 64] |= std::uint64
 /// Thread: RT.
 StateWords words_of(const MachineState& state) noexcept;
 MachineState state_of(const StateWords& words) noexcept;
+
+/// What no state can be: "boom 2: rattling: is 7, expected 0...2"; empty: nothing. Thread: OFF.
+std::string problem_of(const StateWords& words);
 
 }  // namespace rigsound::session

@@ -90,7 +90,8 @@ void decode_session(const DecodeArguments& options) {
   const session::SessionHeader& header = states.header();
   const double block_s = header.block / header.sample_rate;
   StateRows rows(rig);
-  for (const session::SessionStates::Change& change : states.changes())
+  session::SessionChanges changes = states.changes();
+  for (session::Change change; changes.next(change);)
     rows.add_state(static_cast<double>(change.block) * block_s, change.state);
   fmt::print("{}", rows.text(options.form()));
   fmt::print(stderr, "{}: {:.1f} s, played by rigsound {} at {:g} Hz in blocks of {} frames, seed {}\n",

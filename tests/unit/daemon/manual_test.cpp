@@ -60,8 +60,9 @@ TEST_CASE("A rig whose bus and DBC do not exist drills by hand, is marked so, an
     CHECK(signal_of(status(rig.socket()), "engine_rpm")["validity"] == "manual");
   }
   bool held = false, released = false;
-  const session::SessionStates told(session::newest_session(sessions));
-  for (const session::SessionStates::Change& change : told.changes()) {
+  const InputFile file(session::newest_session(sessions), "session");
+  session::SessionChanges told(file);
+  for (session::Change change; told.next(change);) {
     const bool now = is_by_hand(change.state, {Signal::kFeedPressureBar, 1});
     held = held || (now && change.state.boom[1].feed_pressure_bar == 150);
     released = released || (held && !now && change.state.boom[1].feed_pressure_bar == 0);

@@ -3,47 +3,35 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <string>
-#include <vector>
+#include <optional>
 
 #include "rigsound/audio/block_loop.hpp"
-#include "rigsound/machine/input_error.hpp"
-#include "rigsound/session/session_writer.hpp"
+#include "rigsound/session/session_changes.hpp"
 
 namespace rigsound::session {
 
-/// A session that ended before its first whole chunk.
-class SessionWithoutState : public InputError {
- public:
-  using InputError::InputError;
-};
-
-/// Thread: OFF.
+/// Reads the session once to check it, and then as the blocks go on. Thread: OFF.
 class SessionStates : public audio::StateSource {
  public:
-  /// Errors: InputError for a file that is no session or of another format, SessionWithoutState.
+  /// Errors: as SessionChanges; none comes later.
   explicit SessionStates(const std::filesystem::path& file);
 
-  const SessionHeader& header() const { return header_; }
+  const SessionHeader& header() const { return changes_->header(); }
   std::uint64_t blocks() const { return blocks_; }          ///< of the whole chunks
   std::uint64_t bytes_ignored() const { return ignored_; }  ///< after them: a torn or damaged end
 
-  /// From `block` on.
-  struct Change {
-    std::uint64_t block = 0;
-    MachineState state;
-  };
-  const std::vector<Change>& changes() const { return changes_; }  ///< in order, the first of block 0
+  SessionChanges changes() const { return SessionChanges(file_); }  ///< all of them, from the first one on
 
   const MachineState* state_of(std::uint64_t number) override;
 
  private:
-  void read_chunks(const std::string& bytes, std::size_t at);
+  void rewind();
 
-  SessionHeader header_;
-  std::vector<Change> changes_;
+  InputFile file_;
+  std::optional<SessionChanges> changes_;
   std::uint64_t blocks_ = 0, ignored_ = 0;
-  std::size_t next_ = 0;  // change not yet acting
+  Change acting_, ahead_;
+  bool more_ = false;  // ahead_ is yet to act
 };
 
 }  // namespace rigsound::session

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <csignal>
 #include <fstream>
 #include <iterator>
@@ -13,10 +14,13 @@
 #include "rigsound/device_error.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "rigsound/session/session_states.hpp"
+#include "session/session_format.hpp"
 #include "session/state_words.hpp"
+#include "temporary_folder.hpp"
 
 using namespace rigsound;
 using namespace rigsound::session;
+using rigsound::test::complaint;
 namespace fs = std::filesystem;
 
 namespace {
@@ -110,7 +114,8 @@ TEST_CASE("A change of one field writes this field and no other, whichever it is
   for (std::size_t i = 0; i < kStateWords; ++i) {
     CAPTURE(i);
     acting.push_back(acting.back());
-    acting.back()[i] ^= 1;
+    acting.back()[i] ^=
+        acting.back()[i] == 0 ? 1 : 2;  // "from the feed" is 2, one rod 1: never to what is nothing
     const std::uint64_t before = writer.bytes();
     writer.add(acting.size() - 1, state_of(acting.back()));
     writer.flush(acting.size());
@@ -192,6 +197,55 @@ TEST_CASE("A full disk ends the recording with a word, and what is on it stays r
   CHECK(session.blocks() >= 50);
   CHECK(session.bytes_ignored() == 0);
   check_states(session);
+}
+
+TEST_CASE("A state that no writer writes is refused, with the signal") {
+  const Folder folder;
+  const auto refusal_of = [&](const StateWords& words) {
+    SessionWriter(folder.file, new_file(folder.file), {});
+    std::string payload(1, '\0');  // block 0, then all words
+    for (const std::uint64_t mask : WordMasks{~0ULL, ~0ULL}) put_varint(payload, mask);
+    for (const std::uint32_t word : words) put_u32(payload, word);
+    write_bytes(folder.file, bytes_of(folder.file) + chunk(750, payload));
+    return complaint([&] { SessionStates{folder.file}; });
+  };
+  const std::string head = folder.file.string() + ": state of block 0: ";
+  MachineState bad;
+  bad.boom[1].rattling = static_cast<Rattling>(7);
+  CHECK(refusal_of(words_of({})).empty());
+  CHECK(refusal_of(words_of(bad)) == head + "boom 2: rattling: is 7, expected 0...2");
+  bad = {};
+  bad.engine_rpm = std::nanf("");
+  CHECK(refusal_of(words_of(bad)) == head + "holds a number that is not finite, expected numbers");
+  StateWords wide = words_of({});
+  for (std::uint32_t& word : wide)
+    word |= word == 0 ? 0x10000 : 0;  // of an enumeration only the low byte counts
+  CHECK(refusal_of(wide) == head + "holds a word too large for its field, expected a smaller one");
+}
+
+TEST_CASE("A session whose blocks run backwards, or on and on, is refused") {
+  const Folder folder;
+  const auto refusal_of = [&](std::uint64_t first_blocks, std::uint64_t blocks, std::uint64_t step) {
+    SessionWriter writer(folder.file, new_file(folder.file), {});
+    writer.add(0, state(1));
+    writer.flush(first_blocks);
+    std::string payload;
+    put_varint(payload, step);
+    payload.append(sizeof(WordMasks) / 8, '\0');  // nothing changes
+    write_bytes(folder.file, bytes_of(folder.file) + chunk(blocks, payload));
+    return complaint([&] { SessionStates{folder.file}; });
+  };
+  const std::uint64_t an_hour = 3600 * 750;
+  CHECK(refusal_of(1, 2, 1).empty());
+  CHECK(refusal_of(1, 1 + an_hour, 2 * an_hour).empty());
+  CHECK(refusal_of(1, std::uint64_t{1} << 62, 1) ==
+        folder.file.string() +
+            ": chunk of block 4611686018427387904: is damaged, expected block 1 to 2700001");
+  CHECK(refusal_of(1, 2 + an_hour, 1) != "");
+  CHECK(refusal_of(2, 1, 1) ==
+        folder.file.string() + ": chunk of block 1: is damaged, expected block 2 to 2700002");
+  CHECK(refusal_of(1, 2, 2 * an_hour) != "");
+  CHECK(refusal_of(1, 2, ~std::uint64_t{0}) != "");  // and none runs over
 }
 
 TEST_CASE("What is no session is refused") {
