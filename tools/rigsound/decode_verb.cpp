@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 
+#include "decode/row_text.hpp"
 #include "decode/state_rows.hpp"
 #include "log_arguments.hpp"
 #include "log_notes.hpp"
@@ -35,37 +36,40 @@ std::vector<SignalId> watched(const config::Rig& rig) {
   return ids;
 }
 
-std::string value_text(const log::Change& change) {
-  const std::string_view word = value_word(change.signal.signal, change.value);
-  return word.empty() ? fmt::format("{:.10g}", change.value) : std::string(word);
-}
-
-/// Prints the rows of a log's changes, and of what follows from them, once all of one time are known.
+/// Adds the rows of a log's changes, and of what follows from them, once all of one time are known.
 class LogRows {
  public:
-  explicit LogRows(const config::Rig& rig) : rows_(rig), rig_(rig) {}
+  LogRows(const config::Rig& rig, StateRows& rows) : rows_(rows) {
+    for_each_signal(kMaxBooms, [&](SignalId id) { label_of(id) = config::signal_label(rig, id); });
+  }
 
   void add(const log::Change& change) {
     if (change.time_s != time_s_) add_situations();
     time_s_ = change.time_s;
-    rows_.add(time_s_, config::signal_label(rig_, change.signal), value_text(change));
+    add_row(change);
     const SignalInfo& signal = info(change.signal.signal);
     signal.set(state_, change.signal.boom, change.value);
     if (signal.per_boom) told_[change.signal.boom] = true;
   }
-  std::string finish(StateRows::Form form) {
-    add_situations();
-    return rows_.text(form);
-  }
 
- private:
   void add_situations() {
     for (int b = 0; b < kMaxBooms; ++b)
       if (told_[b]) rows_.add_situation(time_s_, b, state_.boom[b]);
   }
 
-  StateRows rows_;
-  const config::Rig& rig_;
+ private:
+  std::string& label_of(SignalId id) { return labels_[static_cast<std::size_t>(id.signal)][id.boom]; }
+
+  void add_row(const log::Change& change) {
+    const std::string_view word = value_word(change.signal.signal, change.value);
+    if (!word.empty()) return rows_.add(time_s_, label_of(change.signal), word);
+    fmt::memory_buffer text;
+    append_value(text, change.value);
+    rows_.add(time_s_, label_of(change.signal), {text.data(), text.size()});
+  }
+
+  StateRows& rows_;
+  std::array<std::array<std::string, kMaxBooms>, kSignalCount> labels_;
   double time_s_ = 0;
   MachineState state_;
   std::array<bool, kMaxBooms> told_{};
@@ -75,10 +79,12 @@ void decode_log(const DecodeArguments& options) {
   const config::Rig rig = config::load_rig(options.rig);
   const std::unique_ptr<log::BusLog> log =
       log::open_log(options.log.log, config::buses_of(rig), log_options(options.log));
-  LogRows rows(rig);  // printed whole or not at all
+  StateRows rows(rig, options.form(), stdout);
+  LogRows changes(rig, rows);
   const SignalBoard board = log::trace_changes(*log, rig.safety, watched(rig),
-                                               [&](const log::Change& change) { rows.add(change); });
-  fmt::print("{}", rows.finish(options.form()));
+                                               [&](const log::Change& change) { changes.add(change); });
+  changes.add_situations();
+  rows.finish();
   print_log_notes(options.log.log, *log);
   print_refused_values(rig, board);
 }
@@ -89,11 +95,11 @@ void decode_session(const DecodeArguments& options) {
   const session::SessionStates states(file);
   const session::SessionHeader& header = states.header();
   const double block_s = header.block / header.sample_rate;
-  StateRows rows(rig);
+  StateRows rows(rig, options.form(), stdout);
   session::SessionChanges changes = states.changes();
   for (session::Change change; changes.next(change);)
     rows.add_state(static_cast<double>(change.block) * block_s, change.state);
-  fmt::print("{}", rows.text(options.form()));
+  rows.finish();
   fmt::print(stderr, "{}: {:.1f} s, played by rigsound {} at {:g} Hz in blocks of {} frames, seed {}\n",
              file.string(), static_cast<double>(states.blocks()) * block_s, header.program,
              header.sample_rate, header.block, header.seed);

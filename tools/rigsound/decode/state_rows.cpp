@@ -2,13 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <system_error>
 
+#include "decode/row_text.hpp"
 #include "rigsound/session/state_rows.hpp"
 
 namespace rigsound::tools {
 namespace {
+
+constexpr std::size_t kWrittenAtOnce = 1 << 16;
 
 /// The shortest that reads as this state's value; a value that no bus can say is one that is absent.
 std::string value_text(Signal signal, double value) {
@@ -19,34 +24,46 @@ std::string value_text(Signal signal, double value) {
 
 }  // namespace
 
-StateRows::StateRows(const config::Rig& rig)
-    : rig_(rig), situations_(rig.engine.booms.size(), session::SituationTrace(rig.engine.scene)) {}
+StateRows::StateRows(const config::Rig& rig, Form form, std::FILE* out)
+    : rig_(rig),
+      form_(form),
+      out_(out),
+      situations_(rig.engine.booms.size(), session::SituationTrace(rig.engine.scene)) {
+  append(form == Form::kCsv ? figures(0, "", "").csv_head() : "{\"changes\": [\n");
+}
 
 std::string StateRows::label(int boom, std::string_view name) const {
   return boom == 0 ? std::string(name) : fmt::format("{}.{}", rig_.engine.booms[boom].name, name);
 }
 
-void StateRows::add(double time_s, const std::string& label, const std::string& value) {
-  rows_.push_back({time_s, label, value});
-}
-
-FigureRow StateRows::figures(const Row& row) {
+FigureRow StateRows::figures(double time_s, std::string_view label, std::string_view value) {
   FigureRow figures;
-  figures.add("time_s", row.time_s, "{:.6f}").add("signal", row.signal);
+  figures.add("time_s", time_s, "{:.6f}").add("signal", std::string(label));
   double number = 0;
-  const char *begin = row.value.data(), *end = begin + row.value.size();
+  const char *begin = value.data(), *end = begin + value.size();
   const bool is_number = std::from_chars(begin, end, number).ptr == end;
-  return is_number ? figures.add_text("value", row.value, number) : figures.add("value", row.value);
+  return is_number ? figures.add_text("value", std::string(value), number)
+                   : figures.add("value", std::string(value));
 }
 
-std::string StateRows::text(Form form) const {
-  std::string csv = figures({}).csv_head(), list;
-  for (const Row& row : rows_)
-    if (form == Form::kCsv)
-      csv += figures(row).csv();
-    else
-      list += (list.empty() ? "" : ",\n") + figures(row).json().dump();
-  return form == Form::kCsv ? csv : "{\"changes\": [\n" + list + "\n]}\n";
+void StateRows::add(double time_s, std::string_view label, std::string_view value) {
+  if (form_ == Form::kCsv)
+    append_seconds(text_, time_s), append(","), append(label), append(","), append(value), append("\n");
+  else
+    fmt::format_to(fmt::appender(text_), "{}{}", between_, figures(time_s, label, value).json().dump());
+  between_ = ",\n";
+  if (text_.size() >= kWrittenAtOnce) write_out();
+}
+
+void StateRows::write_out() {
+  if (std::fwrite(text_.data(), 1, text_.size(), out_) != text_.size())
+    throw std::system_error(errno, std::generic_category());
+  text_.clear();
+}
+
+void StateRows::finish() {
+  if (form_ == Form::kJson) append("\n]}\n");
+  write_out();
 }
 
 void StateRows::add_situation(double time_s, int boom, const BoomState& state) {
