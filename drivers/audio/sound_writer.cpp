@@ -12,8 +12,11 @@
 namespace rigsound::audio {
 namespace {
 
-constexpr std::uint64_t kMostWavBytes = 0xFFFF0000;  // sizes in a WAV file have 32 bits
-constexpr std::size_t kVorbisFrames = 4096;          // at a time: its encoder keeps them on the stack
+constexpr std::size_t kVorbisFrames = 4096;  // at a time: its encoder keeps them on the stack
+constexpr std::size_t kCopied =
+    100 * 10'080;  // bytes at a time: whole frames of any format and 1 to 8 channels
+
+using Sound = std::unique_ptr<SNDFILE, int (*)(SNDFILE*)>;
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
   throw DeviceError(path.string() + ": cannot be written: " + why);
@@ -39,44 +42,64 @@ int wav_subtype(SampleFormat samples) {
   }
 }
 
-int libsndfile_format(const std::filesystem::path& path, SampleFormat samples) {
+int type_of(const std::filesystem::path& path) {
   const std::string ending = ending_of(path);
-  if (ending == ".flac")
-    return SF_FORMAT_FLAC | (samples == SampleFormat::kS16 ? SF_FORMAT_PCM_16 : SF_FORMAT_PCM_24);
-  if (ending == ".ogg") return SF_FORMAT_OGG | SF_FORMAT_VORBIS;
-  return SF_FORMAT_WAV | wav_subtype(samples);
+  if (ending == ".flac") return SF_FORMAT_FLAC;
+  return ending == ".ogg" ? SF_FORMAT_OGG : SF_FORMAT_WAV;
 }
 
-SNDFILE* open_for_writing(const AtomicFile& file, const SoundFormat& format) {
+int subtype_of(int type, SampleFormat samples) {
+  if (type == SF_FORMAT_FLAC) return samples == SampleFormat::kS16 ? SF_FORMAT_PCM_16 : SF_FORMAT_PCM_24;
+  return type == SF_FORMAT_OGG ? SF_FORMAT_VORBIS : wav_subtype(samples);
+}
+
+Sound open_for_writing(const AtomicFile& file, const SoundFormat& format, int type) {
   SF_INFO info{};
   info.samplerate = format.rate;
   info.channels = format.channels;
-  info.format = libsndfile_format(file.target(), format.samples);
-  SNDFILE* sound = sf_open(file.temporary().c_str(), SFM_WRITE, &info);
-  if (sound == nullptr)
+  info.format = type | subtype_of(type, format.samples);
+  Sound sound(sf_open(file.temporary().c_str(), SFM_WRITE, &info), sf_close);
+  if (!sound)
     refuse(file.target(), std::to_string(format.channels) + " channels at " + std::to_string(format.rate) +
                               " Hz: " + sf_strerror(nullptr));
-  sf_command(sound, SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);  // it carries the time of writing
-  sf_command(sound, SFC_SET_CLIPPING, nullptr, SF_TRUE);
+  sf_command(sound.get(), SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);  // it carries the time of writing
+  sf_command(sound.get(), SFC_SET_CLIPPING, nullptr, SF_TRUE);
   double quality = 0.8;
-  sf_command(sound, SFC_SET_VBR_ENCODING_QUALITY, &quality, sizeof quality);
+  sf_command(sound.get(), SFC_SET_VBR_ENCODING_QUALITY, &quality, sizeof quality);
   return sound;
 }
 
 }  // namespace
 
-SoundWriter::SoundWriter(const AtomicFile& file, const SoundFormat& format)
-    : path_(file.target()),
+SoundWriter::SoundWriter(const AtomicFile& file, const SoundFormat& format, std::uint64_t most_wav_bytes)
+    : file_(file),
       format_(format),
-      as_it_is_((libsndfile_format(path_, format.samples) & SF_FORMAT_TYPEMASK) == SF_FORMAT_WAV),
-      sound_(open_for_writing(file, format), sf_close) {}
+      type_(type_of(file.target())),
+      sound_(open_for_writing(file, format, type_)),
+      most_wav_bytes_(most_wav_bytes) {}
+
+/// Its head is longer: another file takes the place of the one begun.
+void SoundWriter::go_on_as_rf64() {
+  close();
+  SF_INFO info{};
+  const Sound begun(sf_open(file_.temporary().c_str(), SFM_READ, &info), sf_close);
+  if (!begun) refuse(file_.target(), sf_strerror(nullptr));
+  const AtomicFile larger(file_.target());
+  type_ = SF_FORMAT_RF64;
+  sound_ = open_for_writing(larger, format_, type_);
+  std::vector<char> bytes(kCopied);
+  for (sf_count_t got = 0; (got = sf_read_raw(begun.get(), bytes.data(), kCopied)) > 0;)
+    require_all(sf_write_raw(sound_.get(), bytes.data(), got), static_cast<std::size_t>(got));
+  std::error_code error;
+  std::filesystem::rename(larger.temporary(), file_.temporary(), error);
+  if (error) refuse(file_.target(), error.message());
+}
 
 void SoundWriter::write(const void* bytes, std::size_t size) {
-  if (as_it_is_) {
-    bytes_ += size;
-    if (bytes_ > kMostWavBytes) refuse(path_, "a WAV file ends at 4 GB");
+  bytes_ += size;
+  if (type_ == SF_FORMAT_WAV && bytes_ > most_wav_bytes_) go_on_as_rf64();
+  if (type_ == SF_FORMAT_WAV || type_ == SF_FORMAT_RF64)
     return require_all(sf_write_raw(sound_.get(), bytes, static_cast<sf_count_t>(size)), size);
-  }
   const std::size_t samples = size / bytes_per_sample(format_.samples);
   if (bytes_per_sample(format_.samples) == sizeof(float) && format_.samples != SampleFormat::kS32)
     write_floats(static_cast<const float*>(bytes), samples);
@@ -105,11 +128,11 @@ void SoundWriter::write_integers(const unsigned char* bytes, std::size_t samples
 }
 
 void SoundWriter::require_all(sf_count_t wrote, std::size_t wanted) {
-  if (wrote != static_cast<sf_count_t>(wanted)) refuse(path_, sf_strerror(sound_.get()));
+  if (wrote != static_cast<sf_count_t>(wanted)) refuse(file_.target(), sf_strerror(sound_.get()));
 }
 
 void SoundWriter::close() {
-  if (sf_close(sound_.release()) != 0) refuse(path_, "it could not be finished: disk full?");
+  if (sf_close(sound_.release()) != 0) refuse(file_.target(), "it could not be finished: disk full?");
 }
 
 }  // namespace rigsound::audio

@@ -1,0 +1,72 @@
+// A WAV file that grows over what its sizes can say goes on as RF64, with every sample.
+#include "rigsound/audio/sound_writer.hpp"
+
+#include <doctest/doctest.h>
+
+#include "rigsound/audio/sample_format.hpp"
+#include "temporary_folder.hpp"
+
+using namespace rigsound;
+using namespace rigsound::audio;
+using namespace rigsound::test;
+
+namespace {
+
+struct Read {
+  SF_INFO info{};
+  std::vector<float> samples;
+};
+
+Read read(const std::filesystem::path& file) {
+  Read result;
+  SNDFILE* const sound = sf_open(file.c_str(), SFM_READ, &result.info);
+  REQUIRE(sound != nullptr);
+  result.samples.resize(static_cast<std::size_t>(result.info.frames * result.info.channels));
+  CHECK(sf_read_float(sound, result.samples.data(), static_cast<sf_count_t>(result.samples.size())) ==
+        static_cast<sf_count_t>(result.samples.size()));
+  sf_close(sound);
+  return result;
+}
+
+std::vector<float> sound_of(std::size_t samples) {
+  std::vector<float> sound(samples);
+  for (std::size_t i = 0; i < samples; ++i) sound[i] = static_cast<float>(i % 1000) / 1024;
+  return sound;
+}
+
+/// Writes `sound` in blocks of 96 samples.
+void write(const std::filesystem::path& file, const SoundFormat& format, const std::vector<float>& sound,
+           std::uint64_t most_wav_bytes) {
+  AtomicFile target(file);
+  SoundWriter writer(target, format, most_wav_bytes);
+  std::vector<unsigned char> bytes(96 * bytes_per_sample(format.samples));
+  for (std::size_t at = 0; at < sound.size(); at += 96) {
+    convert(sound.data() + at, 96, at, format.samples, bytes.data());
+    writer.write(bytes.data(), bytes.size());
+  }
+  writer.close();
+  target.commit();
+}
+
+}  // namespace
+
+TEST_CASE("A WAV file over its limit is RF64 from then on and holds every sample; under it, it is a WAV") {
+  const TemporaryFolder folder;
+  for (const SampleFormat samples : {SampleFormat::kFloat, SampleFormat::kS16, SampleFormat::kS24_3})
+    for (const int channels : {1, 2, 6}) {
+      CAPTURE(channels);
+      const std::vector<float> sound = sound_of(96 * 20'000);
+      const std::uint64_t whole = sound.size() * bytes_per_sample(samples);
+      const SoundFormat format{48000, channels, samples};
+      write(folder.path / "wav.wav", format, sound, whole);
+      write(folder.path / "rf64.wav", format, sound, whole - 100'000);
+      const Read wav = read(folder.path / "wav.wav"), rf64 = read(folder.path / "rf64.wav");
+      CHECK(content(folder.path / "wav.wav").substr(0, 4) == "RIFF");
+      CHECK(content(folder.path / "rf64.wav").substr(0, 4) == "RF64");
+      CHECK((rf64.info.format & SF_FORMAT_SUBMASK) == (wav.info.format & SF_FORMAT_SUBMASK));
+      CHECK(rf64.info.channels == channels);
+      CHECK(rf64.samples.size() == sound.size());
+      CHECK(rf64.samples == wav.samples);
+    }
+  CHECK(std::distance(std::filesystem::directory_iterator(folder.path), {}) == 2);
+}
