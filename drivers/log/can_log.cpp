@@ -32,7 +32,7 @@ std::map<std::string, const can::CanOptions*> buses_by_interface(const std::vect
     else if (const can::CanOptions* turned = of_rig(first))
       by_interface[second] = turned;
     else
-      throw InputError("--can " + first + "=" + second,
+      throw InputError(std::string("--can ").append(first).append("=").append(second),
                        "names no interface of the rig, expected LOG_INTERFACE=RIG_INTERFACE");
   }
   return by_interface;
@@ -89,52 +89,51 @@ void CanLog::find_buses(const std::vector<can::CanOptions>& buses, const LogOpti
                                   std::make_shared<can::SourceWatch>(bus->routes)});
 }
 
+void CanLog::read_ahead() {
+  has_ahead_ = reader_->next(ahead_);
+  ahead_line_ = reader_->line();
+}
+
 void CanLog::fetch() {
-  if (pending_) return;
-  const auto read_ahead = [this] {
-    CanRecord record;
-    const bool more = reader_->next(record);
-    ahead_ = more ? std::optional<CanRecord>(std::move(record)) : std::nullopt;
-    ahead_line_ = reader_->line();
-  };
+  if (has_pending_) return;
   if (!started_) read_ahead();
   started_ = true;
-  if (!ahead_) return;
-  pending_ = std::move(ahead_);
-  pending_line_ = ahead_line_;
+  if (!has_ahead_) return;
+  std::swap(pending_, ahead_);
+  has_pending_ = true;
+  const int line = ahead_line_;
   read_ahead();
-  const auto next_ns = ahead_ ? std::optional<std::int64_t>(ahead_->time_ns) : std::nullopt;
-  time_s_ = static_cast<double>(clock_.place(pending_->time_ns, next_ns, pending_line_)) * 1e-9;
+  const auto next_ns = has_ahead_ ? std::optional<std::int64_t>(ahead_.time_ns) : std::nullopt;
+  time_s_ = static_cast<double>(clock_.place(pending_.time_ns, next_ns, line)) * 1e-9;
 }
 
 std::optional<double> CanLog::next_s() {
   fetch();
-  return pending_ ? std::optional<double>(time_s_) : std::nullopt;
+  return has_pending_ ? std::optional<double>(time_s_) : std::nullopt;
 }
 
-void CanLog::take_frame(SignalBoard& board, std::vector<Reading>& readings) {
-  const auto bus = buses_.find(pending_->interface);
+void CanLog::take_frame(SignalBoard& board) {
+  readings_.clear();
+  const auto bus = buses_.find(pending_.interface);
   if (bus == buses_.end()) return;
-  readings.clear();
-  if (!bus->second.decoder.decode(pending_->frame, time_s_, readings)) return;
-  if (pending_->frame.fd && !bus->second.options.fd) {
+  if (!bus->second.decoder.decode(pending_.frame, time_s_, readings_)) return;
+  if (pending_.frame.fd && !bus->second.options.fd) {
     ++fd_refused_;
-    readings.clear();
+    readings_.clear();
     return;
   }
-  bus->second.sources->add(pending_->frame);
+  bus->second.sources->add(pending_.frame);
   bool good = false;
-  for (const Reading& reading : readings) good = board.take(reading) == Validity::kValid || good;
+  for (const Reading& reading : readings_) good = board.take(reading) == Validity::kValid || good;
   used_ += good ? 1 : 0;
 }
 
 bool CanLog::read_until(double until_s, SignalBoard& board) {
-  std::vector<Reading> readings;
   bool told = false;
-  for (fetch(); pending_ && time_s_ <= until_s; fetch()) {
-    take_frame(board, readings);
-    told = told || !readings.empty();
-    pending_.reset();
+  for (fetch(); has_pending_ && time_s_ <= until_s; fetch()) {
+    take_frame(board);
+    told = told || !readings_.empty();
+    has_pending_ = false;
   }
   return told;
 }

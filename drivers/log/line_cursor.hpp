@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -10,13 +11,18 @@ namespace rigsound::log {
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// -1 for what is no hexadecimal digit.
-constexpr int hex_digit(char c) {
-  if (is_digit(c)) return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
+constexpr std::array<std::int8_t, 256> make_hex_digits() {
+  std::array<std::int8_t, 256> digits{};
+  for (std::int8_t& digit : digits) digit = -1;
+  for (int i = 0; i < 10; ++i) digits['0' + i] = static_cast<std::int8_t>(i);
+  for (int i = 10; i < 16; ++i) digits['a' + i - 10] = digits['A' + i - 10] = static_cast<std::int8_t>(i);
+  return digits;
 }
+
+inline constexpr std::array<std::int8_t, 256> kHexDigits = make_hex_digits();
+
+/// -1 for what is no hexadecimal digit.
+constexpr int hex_digit(char c) { return kHexDigits[static_cast<unsigned char>(c)]; }
 
 /// Every function says whether it found what it wanted and eats only then. Never reads past the end.
 class LineCursor {

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
-#include <fstream>
-#include <map>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
 
 #include "log/can_lines.hpp"
+#include "rigsound/file/file_descriptor.hpp"
 #include "rigsound/log/can_reader.hpp"
 
 namespace rigsound::log {
@@ -23,14 +25,19 @@ class LineReader : public CanReader {
   std::string remark() const override { return format_->remark(); }
 
  private:
-  bool read_line(std::string& line, bool& whole);
-  void refuse_cut_line(const std::string& line, CanLine kind, const CanRecord& record) const;
+  bool read_line(std::string_view& line, bool& whole);
+  bool read_more();
+  void pass_over_line();
+  void refuse_cut_line(std::string_view line, CanLine kind, const CanRecord& record) const;
 
   std::string file_;
-  std::ifstream in_;
+  FileDescriptor fd_;
+  std::vector<char> buffer_;
+  std::size_t begin_ = 0, end_ = 0;  ///< of what is in the buffer and not yet read
   std::unique_ptr<CanLineFormat> format_;
   int line_ = 0;
-  std::map<std::uint32_t, std::uint8_t> last_size_;  ///< by identifier
+  bool long_line_ = false;  ///< the rest of the last one is still to be passed over
+  std::unordered_map<std::uint32_t, std::uint8_t> last_size_;  ///< by identifier
 };
 
 }  // namespace rigsound::log

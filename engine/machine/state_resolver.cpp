@@ -54,6 +54,7 @@ StateResolver::Standing StateResolver::resolve_signal(SignalId id, const SignalB
                                                       const SafetyOptions& safety, double now_s) noexcept {
   const SignalInfo& signal = info(id.signal);
   const SignalBoard::Entry& entry = board.entry(id);
+  as_told_ = as_told_ && !entry.by_hand;
   if (entry.by_hand) return {entry.hand_value, 0};
   if (entry.validity == Validity::kNeverSeen) return {signal.absent, 0};
   const SafetyRule& rule = safety.rule[static_cast<std::size_t>(id.signal)];
@@ -62,6 +63,7 @@ StateResolver::Standing StateResolver::resolve_signal(SignalId id, const SignalB
   muted_ = muted_ || (!good && rule.action == SafetyAction::kMute);
   double& mix = fallback_mix_[static_cast<std::size_t>(id.signal)][id.boom];
   fade(mix, good ? 0.0 : 1.0);
+  as_told_ = as_told_ && mix == 0;
   const double rest = rest_value(id.signal, entry.value, safety);
   if (signal.stepped()) return {good ? entry.value : rest, mix};
   return {entry.value + (rest - entry.value) * mix, mix};
@@ -75,6 +77,7 @@ MachineState StateResolver::resolve(const SignalBoard& board, const SafetyOption
   last_s_ = now_s;
   next_change_s_ = kNever_s;
   fading_ = muted_ = false;
+  as_told_ = true;
 
   MachineState state;
   double speed_mix = 0;

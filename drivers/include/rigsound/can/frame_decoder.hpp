@@ -11,7 +11,7 @@ namespace rigsound::can {
 
 class FrameDecoder {
  public:
-  explicit FrameDecoder(std::vector<SignalRoute> routes) : routes_(std::move(routes)) {}
+  explicit FrameDecoder(std::vector<SignalRoute> routes);
 
   /// Adds a reading for every signal of the frame to `out`, true at `time_s`. Returns false when the frame
   /// carries no message this bus knows. Thread: CT.
@@ -20,7 +20,14 @@ class FrameDecoder {
   const std::vector<SignalRoute>& routes() const { return routes_; }
 
  private:
+  /// Routes of one message, by their places.
+  struct Message {
+    MessageMatch match;
+    std::vector<std::size_t> routes;
+  };
+
   std::vector<SignalRoute> routes_;
+  std::vector<Message> messages_;
 };
 
 }  // namespace rigsound::can

@@ -41,16 +41,19 @@ class CanLog : public BusLog {
     std::shared_ptr<can::SourceWatch> sources;
   };
   void find_buses(const std::vector<can::CanOptions>& buses, const LogOptions& options);
+  void read_ahead();
   void fetch();
-  void take_frame(SignalBoard& board, std::vector<Reading>& readings);
+  void take_frame(SignalBoard& board);
 
   LogFile file_;
   std::unique_ptr<CanReader> reader_;
   std::map<std::string, Bus> buses_;  // by interface of the log
   LogClock clock_;
-  std::optional<CanRecord> pending_, ahead_;
-  int pending_line_ = 0, ahead_line_ = 0;
-  double time_s_ = 0;  // of pending_
+  CanRecord pending_, ahead_;
+  bool has_pending_ = false, has_ahead_ = false;
+  int ahead_line_ = 0;
+  std::vector<Reading> readings_;  // of pending_
+  double time_s_ = 0;              // of pending_
   std::uint64_t used_ = 0, fd_refused_ = 0;
   bool started_ = false;
 };

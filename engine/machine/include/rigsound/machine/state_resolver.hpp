@@ -19,6 +19,10 @@ class StateResolver {
   /// signal has grown stale.
   bool due(double now_s) const noexcept { return now_s >= next_change_s_; }
 
+  /// Whether the last resolve() found every signal as its bus says: no safety rule stood in for one, in part
+  /// or whole, and no user held one.
+  bool as_told() const noexcept { return as_told_; }
+
   /// What stands for a signal after the safety rule, as resolve() last set it and as the bus said it: the
   /// speed of the state is tracked between messages, this one is not.
   double value(SignalId id) const noexcept { return value_[static_cast<std::size_t>(id.signal)][id.boom]; }
@@ -37,7 +41,7 @@ class StateResolver {
   double safety_gain_ = 1;
   double last_s_ = 0, next_change_s_ = 0;
   double step_ = 0;  ///< share of a fade that passed since the last resolve()
-  bool fading_ = false, muted_ = false;
+  bool fading_ = false, muted_ = false, as_told_ = false;
 };
 
 }  // namespace rigsound
