@@ -8,7 +8,6 @@
 
 #include "report/bank_page.hpp"
 #include "rigsound/config/bank_files.hpp"
-#include "rigsound/file/atomic_file.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
@@ -20,6 +19,8 @@ using Json = nlohmann::ordered_json;
 
 // Raised whenever the chain or the bank builder changes what it computes: older banks are then analysed anew.
 constexpr int kAnalysisRevision = 4;
+
+constexpr const char* kFiguresFile = "figures.json";
 
 struct Figure {
   const char* key;
@@ -40,7 +41,7 @@ fs::path bank_folder(const fs::path& sound_set, const std::string& bank) {
 }
 
 fs::path figures_path(const fs::path& sound_set, const std::string& bank) {
-  return bank_folder(sound_set, bank) / "figures.json";
+  return bank_folder(sound_set, bank) / kFiguresFile;
 }
 
 std::string figures_text(const BankFigures& figures) {
@@ -105,9 +106,10 @@ void save_part(const AnalysedPart& analysed, const ClickBank& bank, const std::s
   provenance.source_sha256 = sha256;
   provenance.settings = settings_of(analysed.part, options);
   provenance.tool_version = options.tool_version;
-  config::save_bank(options.sound_set, bank, provenance);
-  if (!page.empty()) write_file(bank_page_path(options.sound_set, bank.name), page);
-  write_file(figures_path(options.sound_set, bank.name), figures_text(analysed.figures));
+  std::vector<config::FileBeside> beside = {{kFiguresFile, figures_text(analysed.figures)}};
+  if (!page.empty())
+    beside.push_back({bank_page_path(options.sound_set, bank.name).filename().string(), page});
+  config::save_bank(options.sound_set, bank, provenance, beside);
 }
 
 }  // namespace rigsound::analysis

@@ -12,7 +12,8 @@
 namespace rigsound::config {
 namespace fs = std::filesystem;
 
-void save_bank(const fs::path& sound_set, const ClickBank& bank, const Provenance& provenance) {
+void save_bank(const fs::path& sound_set, const ClickBank& bank, const Provenance& provenance,
+               const std::vector<FileBeside>& beside) {
   const fs::path folder = sound_set / "banks" / bank.name;
   if (!is_name(bank.name))
     throw InputError(sound_set.string(), 0, bank.name, "is no bank name, " + std::string(kNameRule));
@@ -24,6 +25,7 @@ void save_bank(const fs::path& sound_set, const ClickBank& bank, const Provenanc
   write_file(files.temporary() / "bank.json", bank_json(bank, provenance));
   write_clicks_wav(files.temporary() / "clicks.wav", bank.clicks,
                    static_cast<int>(std::lround(bank.sample_rate)));
+  for (const FileBeside& file : beside) write_file(files.temporary() / file.name, file.text);
   load_bank(files.temporary());  // what the loader would refuse is refused before it is in place
   files.commit();
 }

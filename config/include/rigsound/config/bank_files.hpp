@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "rigsound/click_bank.hpp"
 
@@ -30,16 +31,21 @@ void fields(Archive& a, Provenance& o) {
   a("tool_version", o.tool_version);
 }
 
+/// A file in the bank's folder that is the writer's own.
+struct FileBeside {
+  std::string name, text;
+};
+
 struct StoredBank {
   ClickBank bank;
   Provenance provenance;
 };
 
-/// Writes SET/banks/NAME, where NAME is `bank.name` (letters, digits, `_ - .`). The folder is whole or
-/// absent; an older one of that name is replaced.
-/// Errors: InputError for a name or a number that the loader would refuse, DeviceError for the disk.
-/// Thread: OFF.
-void save_bank(const std::filesystem::path& sound_set, const ClickBank& bank, const Provenance& provenance);
+/// Writes SET/banks/NAME, where NAME is `bank.name` (letters, digits, `_ - .`), and the files that go with
+/// it. The folder is whole or absent; an older one of that name is replaced. Errors: InputError for a name or
+/// a number that the loader would refuse, DeviceError for the disk. Thread: OFF.
+void save_bank(const std::filesystem::path& sound_set, const ClickBank& bank, const Provenance& provenance,
+               const std::vector<FileBeside>& beside = {});
 
 /// Reads a bank folder (SET/banks/NAME) at the rate it was recorded with, every value checked: finite,
 /// in range, each click between two cue points and of unit norm. Errors: InputError. Thread: OFF.
