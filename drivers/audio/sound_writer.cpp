@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <string>
 
 #include "rigsound/audio/sample_format.hpp"
@@ -13,6 +14,7 @@ namespace rigsound::audio {
 namespace {
 
 constexpr std::size_t kVorbisFrames = 4096;  // at a time: its encoder keeps them on the stack
+constexpr std::size_t kMostHeadBytes = 512;  // of an RF64, as libsndfile writes it
 constexpr std::size_t kCopied =
     100 * 10'080;  // bytes at a time: whole frames of any format and 1 to 8 channels
 
@@ -67,6 +69,22 @@ Sound open_for_writing(const AtomicFile& file, const SoundFormat& format, int ty
   double quality = 0.8;
   sf_command(sound.get(), SFC_SET_VBR_ENCODING_QUALITY, &quality, sizeof quality);
   return sound;
+}
+
+/// libsndfile leaves it out of no RF64 of floats: it holds the time of writing, and peaks that it does not
+/// know.
+void blank_peak_chunk(const std::filesystem::path& file) {
+  std::fstream wav(file, std::ios::in | std::ios::out | std::ios::binary);
+  std::string head(kMostHeadBytes, '\0');
+  wav.read(head.data(), static_cast<std::streamsize>(head.size()));
+  const std::size_t at = head.find("PEAK");
+  if (at == std::string::npos || at + 8 > head.size()) return;
+  const auto size = static_cast<unsigned char>(head[at + 4]);
+  wav.clear();
+  wav.seekp(static_cast<std::streamoff>(at));
+  wav.write("JUNK", 4);
+  wav.seekp(static_cast<std::streamoff>(at + 8));
+  wav.write(std::string(size, '\0').data(), size);
 }
 
 }  // namespace
@@ -133,6 +151,7 @@ void SoundWriter::require_all(sf_count_t wrote, std::size_t wanted) {
 
 void SoundWriter::close() {
   if (sf_close(sound_.release()) != 0) refuse(file_.target(), "it could not be finished: disk full?");
+  if (type_ == SF_FORMAT_RF64) blank_peak_chunk(file_.temporary());
 }
 
 }  // namespace rigsound::audio

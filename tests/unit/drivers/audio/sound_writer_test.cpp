@@ -63,6 +63,7 @@ TEST_CASE("A WAV file over its limit is RF64 from then on and holds every sample
       const Read wav = read(folder.path / "wav.wav"), rf64 = read(folder.path / "rf64.wav");
       CHECK(content(folder.path / "wav.wav").substr(0, 4) == "RIFF");
       CHECK(content(folder.path / "rf64.wav").substr(0, 4) == "RF64");
+      CHECK(content(folder.path / "rf64.wav").substr(0, 512).find("PEAK") == std::string::npos);
       CHECK((rf64.info.format & SF_FORMAT_SUBMASK) == (wav.info.format & SF_FORMAT_SUBMASK));
       CHECK(rf64.info.channels == channels);
       CHECK(rf64.samples.size() == sound.size());
