@@ -43,18 +43,28 @@ bool begins_capture(const std::string& start) {
 }
 
 CaptureFile::CaptureFile(const LogFile& file) : name_(file.name()), in_(file.path(), std::ios::binary) {
+  std::error_code error;
+  left_ = std::filesystem::file_size(file.path(), error);
   Bytes start;
-  if (!in_ || !read(start, 4)) throw InputError(name_, "is no capture, expected a pcap or a pcapng");
+  if (!in_ || error || left_ < 4 || !read(start, 4))
+    throw InputError(name_, "is no capture, expected a pcap or a pcapng");
   if (!begins_capture({start.begin(), start.end()}))
     throw InputError(name_, "is no capture, expected a pcap or a pcapng");
   pcapng_ = start[0] == 0x0a;
-  if (pcapng_)
-    in_.seekg(0);
-  else
+  if (!pcapng_) {
     read_pcap_header(start);
+    return;
+  }
+  in_.seekg(0);
+  left_ += start.size();
 }
 
 bool CaptureFile::read(Bytes& bytes, std::size_t size) {
+  if (size > left_) {  // found out before there is room for it
+    if (left_ > 0) fail("was cut off");
+    return false;
+  }
+  left_ -= size;
   bytes.resize(size);
   in_.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
   if (in_.gcount() == 0 && size > 0) return false;
@@ -115,6 +125,7 @@ bool CaptureFile::next_block(Block& block) {
     big_endian_ = word32(magic, 0) != kByteOrderMagic;
     if (word32(magic, 0) != kByteOrderMagic) fail("is damaged");
     in_.seekg(-4, std::ios::cur);
+    left_ += 4;
   }
   const std::uint32_t length = word32(head, 4);
   if (length < 12 || length % 4 != 0 || length > kMaxRecord) fail("is damaged");

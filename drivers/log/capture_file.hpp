@@ -58,6 +58,7 @@ class CaptureFile {
 
   std::string name_;
   std::ifstream in_;
+  std::uintmax_t left_ = 0;  // bytes not yet read
   bool pcapng_ = false, big_endian_ = false;
   std::vector<Interface> interfaces_;  // of a pcap: just one
   std::int64_t last_ns_ = 0;

@@ -21,7 +21,7 @@ struct ChunkHead {
   std::uint64_t blocks = 0;  ///< rendered when the chunk was written
 };
 constexpr std::size_t kChunkHeadBytes = 20;
-constexpr std::uint32_t kMostChunkBytes = 64 << 20;  ///< the daemon writes two small ones a second
+constexpr std::uint32_t kMostChunkBytes = 8 << 20;  ///< the daemon writes two small ones a second
 
 std::string chunk(std::uint64_t blocks, std::string_view payload);
 
