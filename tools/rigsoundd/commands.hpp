@@ -24,6 +24,7 @@ class DaemonControl {
   virtual Snapshot scrape() = 0;  ///< its levels are those since the last scrape
   virtual ReloadResult reload() = 0;
   virtual void set_muted(bool muted) = 0;
+  virtual void reset_exposure() = 0;
   virtual std::vector<std::string> boom_names() const = 0;
   virtual DrillControls controls(int boom) const = 0;
   virtual void set_control(int boom, const ControlInfo& control, double value) = 0;  ///< one that it takes

@@ -10,6 +10,7 @@
 
 #include "audio_thread.hpp"
 #include "commands.hpp"
+#include "exposure.hpp"
 #include "feed.hpp"
 #include "levels.hpp"
 #include "line_server.hpp"
@@ -45,6 +46,7 @@ class Daemon : private DaemonControl, private osc::ControlListener {
   Snapshot scrape() override;
   ReloadResult reload() override;
   void set_muted(bool muted) override;
+  void reset_exposure() override;
   std::vector<std::string> boom_names() const override;
   DrillControls controls(int boom) const override { return exchange_.controls(boom); }
   void set_control(int boom, const ControlInfo& control, double value) override {
@@ -64,10 +66,13 @@ class Daemon : private DaemonControl, private osc::ControlListener {
   void start_feeds(std::vector<std::unique_ptr<Feed>> kept);
   void poll();
   void poll_session(double now_s);
+  void poll_levels();
+  void say_turned_down();
   void report_card();
   void handle_signals(int signals);
   bool plays_the_same(const LoadedRig& next) const;  ///< as the running engine
   void take_settings(LoadedRig next);
+  void calibrate();
   void new_run(LoadedRig next);
   void fade_to_silence(double fade_s);
   session::SessionHeader session_header() const;
@@ -85,6 +90,8 @@ class Daemon : private DaemonControl, private osc::ControlListener {
   std::unique_ptr<audio::Sink> sink_;
   AudioThread audio_;
   Levels levels_;
+  Exposure exposure_;
+  bool turned_down_ = false;  ///< said so
   Recorder recorder_;
   std::vector<std::unique_ptr<Feed>> feeds_;
   std::vector<LineServer> servers_;
