@@ -151,6 +151,14 @@ void read_buses(TomlTable& root, const std::filesystem::path& folder, Rig& rig) 
   rig.osc = read_osc(root.table("osc"), free_signals(rig), rig.engine.booms);
 }
 
+/// Without a calibration nobody knows how loud it is.
+void require_calibrated(const Rig& rig, const TomlTable& root) {
+  if (rig.safety.max_laeq_db > 0 && rig.calibration.db_spl_at_0dbfs == 0)
+    root.fail(InvalidField("", "safety.max_laeq_db",
+                           "is " + number_text(rig.safety.max_laeq_db) +
+                               " dB of an output that is not calibrated, expected mix.db_spl_at_0dbfs too"));
+}
+
 /// What the engine would refuse is refused where the file says it.
 void require_playable(const Rig& rig, const TomlTable& root) {
   try {
@@ -181,13 +189,16 @@ Rig parse_rig(std::string_view text, const std::filesystem::path& file, Buses bu
   rig.engine.channels = rig.audio.channels;
   rig.engine.booms = std::move(booms.options);
   rig.engine.scene = read_scene(root.table("scene"));
-  rig.engine.mix = read_mix(root.table("mix"));
+  MixSection mix = read_mix(root.table("mix"));
+  rig.engine.mix = std::move(mix.mix);
+  rig.calibration = mix.calibration;
   require_playable(rig, root);
   if (buses == Buses::kRead)
     read_buses(root, folder, rig);
   else
     for (const char* section : {"can", "modbus", "udp", "osc"}) root.expect(section);
   rig.safety = read_safety(root.table("safety"), stale_defaults(rig));
+  require_calibrated(rig, root);
   set_down_ages(rig);
   rig.safety.idle_rpm = rig.engine.scene.idle_rpm;
   rig.control = read_control(root.table("control"), folder);

@@ -15,7 +15,11 @@ namespace rigsound::config {
 
 audio::AudioOptions read_audio(TomlTable table);
 SceneOptions read_scene(TomlTable table);
-MixOptions read_mix(TomlTable table);
+struct MixSection {
+  MixOptions mix;
+  CalibrationOptions calibration;  ///< what the sound does not follow
+};
+MixSection read_mix(TomlTable table);
 ControlOptions read_control(TomlTable table, const std::filesystem::path& folder);
 
 /// [sound]

@@ -7,8 +7,15 @@ namespace rigsound::config {
 
 audio::AudioOptions read_audio(TomlTable table) { return read_all<audio::AudioOptions>(std::move(table)); }
 SceneOptions read_scene(TomlTable table) { return read_all<SceneOptions>(std::move(table)); }
-MixOptions read_mix(TomlTable table) { return read_all<MixOptions>(std::move(table)); }
 SoundSection read_sound(TomlTable table) { return read_all<SoundSection>(std::move(table)); }
+
+MixSection read_mix(TomlTable table) {
+  MixSection section;
+  read(table, section.mix);
+  read(table, section.calibration);
+  table.refuse_unknown();
+  return section;
+}
 
 Booms read_booms(std::vector<TomlTable> tables) {
   Booms booms;

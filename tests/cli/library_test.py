@@ -98,6 +98,8 @@ class Installed(unittest.TestCase):
         rig = library.rigsound_open_memory(content, len(content))
         self.assertTrue(rig, library.rigsound_last_error(None))
         self.assertEqual(library.rigsound_seed(rig), 7)
+        library.rigsound_latency.argtypes = [ctypes.c_void_p]
+        self.assertEqual(library.rigsound_latency(rig), 96)  # 2 ms
         library.rigsound_close(rig)
         self.assertIsNone(library.rigsound_open_memory(content, len(content) - 1))
         self.assertIn(b'cut off', library.rigsound_last_error(None))

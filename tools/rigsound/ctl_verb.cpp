@@ -26,7 +26,7 @@ struct CtlArguments {
   bool json = false;
   std::string key, value;
   double seconds = 0.2;
-  std::string mute;
+  std::string mute, exposure;
   std::vector<std::string> topics;
 };
 
@@ -169,6 +169,11 @@ void metrics(const CtlArguments& o) {
   fmt::print("{}", ControlClient(o.socket).ask({{"command", "metrics"}})["text"].get<std::string>());
 }
 
+void exposure(const CtlArguments& o) {
+  ControlClient(o.socket).ask({{"command", "exposure_reset"}});
+  fmt::print("exposure begins again\n");
+}
+
 using Shared = std::shared_ptr<CtlArguments>;
 
 cli::Verb add(cli::Verb& ctl, const Shared& options, const char* name, const char* summary,
@@ -216,6 +221,10 @@ void add_settings(cli::Verb& ctl, const Shared& o) {
   cli::Verb silence = add(ctl, o, "mute", "Silence the sound, or let it be heard again", mute);
   silence.positional("STATE", o->mute, "on or off; left out: the other one").one_of({"on", "off"});
   silence.example("rigsound ctl mute on");
+  cli::Verb ears = add(ctl, o, "exposure", "Let daily exposure and peak level begin again", exposure);
+  ears.positional("WHAT", o->exposure, "reset").required().one_of({"reset"});
+  ears.details("For a rig with [mix] db_spl_at_0dbfs. `ctl status` shows both.");
+  ears.example("rigsound ctl exposure reset");
   add(ctl, o, "reload", "Read the rig again, all of it or none", reload).example("rigsound ctl reload");
 }
 

@@ -185,8 +185,8 @@ void add_render(cli::Verb& program) {
       "Prints `sha256 HEX` of the PCM bytes as a WAV has them in its data chunk, then `realtime_factor X`: "
       "seconds of "
       "sound per "
-      "second of rendering. Everything a frame or a row says acts from the next block on; the sound ends "
-      "with the last "
+      "second of rendering. Everything a frame or a row says acts from the next block on, and is heard "
+      "[mix] lookahead_ms later, as live; the sound ends with the last "
       "one. With --from and --to OUT holds the very samples of that part of the whole. With `--out -` the "
       "sound goes to "
       "standard output and the figures to stderr.");

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "rigsound/engine.hpp"
+#include "rigsound/sound_level_meter.hpp"
 
 namespace rigsound::daemon {
 
@@ -28,6 +29,19 @@ struct LevelSum {
   }
 };
 
+/// How loud some blocks were for an ear. Plain data.
+struct SoundSum {
+  double power = 0;           ///< means of the blocks, added up
+  double c_peak = 0;          ///< highest
+  double fast = 0, slow = 0;  ///< at the end
+
+  void add(const SoundLevel& block) noexcept {
+    power += block.mean;
+    c_peak = std::max(c_peak, block.c_peak);
+    fast = block.fast, slow = block.slow;
+  }
+};
+
 /// Levels of the output and of every layer over some blocks. Plain data.
 struct LevelWindow {
   std::uint32_t number = 0;  ///< counts the windows of an audio thread from 1; 0: none
@@ -35,6 +49,7 @@ struct LevelWindow {
   LevelSum output, diesel;
   std::array<LevelSum, kMaxBooms> drill{}, tool{};
   float limiter_gain = 1;  ///< lowest, linear
+  SoundSum sound;          ///< of this window alone; sums of windows leave it out
 
   void add(const EngineMeters& meters, const EngineView& view) noexcept {
     ++blocks;

@@ -38,6 +38,7 @@ AudioThread::AudioThread(std::unique_ptr<Engine> engine, audio::Sink& sink, Trip
           static_cast<std::uint64_t>(engine_->options().block * 1e9 / engine_->options().sample_rate)),
       sink_(sink),
       states_(states),
+      ear_(engine_->options().sample_rate, engine_->options().channels),
       jumps_(static_cast<std::int64_t>(deadline_ns_)) {
   window_.number = 1;
 }
@@ -118,6 +119,10 @@ void AudioThread::measure(std::uint64_t spent_ns) noexcept {
 
 void AudioThread::report_levels(const EngineMeters& meters) noexcept {
   window_.add(meters, engine_->view());
+  if (measures_sound_.load(std::memory_order_relaxed)) {
+    ear_.process(block_.data(), engine_->options().block);
+    window_.sound.add(ear_.level());
+  }
   if (window_to_close_.load(std::memory_order_relaxed) == window_.number) {
     next_report_.closed = window_;
     window_ = {};

@@ -43,6 +43,8 @@ class AudioThread {
   const MachineState& heard() const { return heard_.read(); }
   /// What it sounds like. Thread: CT, one at a time
   const AudioReport& report() const { return report_.read(); }
+  /// Whether levels at the ear are taken; not at first. Thread: CT
+  void measure_sound(bool on) { measures_sound_.store(on, std::memory_order_relaxed); }
   /// Ends level window `number`, if it is the one under way, at the next block. Thread: CT
   void close_window(std::uint32_t number) { window_to_close_.store(number, std::memory_order_relaxed); }
 
@@ -67,13 +69,14 @@ class AudioThread {
   mutable TripleBuffer<AudioReport> report_{AudioReport{}};
   AudioReport next_report_;  // the audio thread's
   LevelWindow window_;       // the audio thread's: under way
+  SoundLevelMeter ear_;      // the audio thread's
   std::atomic<std::uint32_t> window_to_close_{0};
   RunQueue records_{kRunQueueLength};
   AudioFigures figures_;
   RunReporter reporter_{records_, figures_.lost_records};
   JumpWatch jumps_;
   SwapSlot<Engine> next_engine_;
-  std::atomic<bool> stop_{false}, ready_{false};
+  std::atomic<bool> stop_{false}, ready_{false}, measures_sound_{false};
   std::string scheduling_;
   std::thread thread_;
 };

@@ -32,8 +32,15 @@ Json unsubscribe(std::optional<Subscription>& subscription) {
 
 Json metrics(DaemonControl& daemon) { return {{"ok", true}, {"text", to_openmetrics(daemon.scrape())}}; }
 
-constexpr std::array<std::string_view, 8> kCommands = {"status", "metrics", "set",       "release",
-                                                       "mute",   "reload",  "subscribe", "unsubscribe"};
+Json reset_exposure(DaemonControl& daemon) {
+  if (!daemon.snapshot().exposure)
+    throw Refused("exposure: the output is not calibrated, expected [mix] db_spl_at_0dbfs in the rig");
+  daemon.reset_exposure();
+  return {{"ok", true}, {"exposure", status_json(daemon.snapshot())["exposure"]}};
+}
+
+constexpr std::array<std::string_view, 9> kCommands = {
+    "status", "metrics", "set", "release", "mute", "exposure_reset", "reload", "subscribe", "unsubscribe"};
 
 [[noreturn]] void refuse_command(const std::string& command) {
   const std::string_view near = config::nearest_word(command, kCommands);
@@ -51,6 +58,7 @@ Json answer_json(const Json& request, DaemonControl& daemon, ClientState& client
   if (command == "release") return release_value(request, daemon);
   if (command == "reload") return client.reload = daemon.ask_reload(), nullptr;
   if (command == "mute") return mute(request, daemon);
+  if (command == "exposure_reset") return reset_exposure(daemon);
   if (command == "subscribe") return subscribe(request, client.subscription);
   if (command == "unsubscribe") return unsubscribe(client.subscription);
   refuse_command(command);

@@ -22,6 +22,7 @@ class DaemonControl {
   virtual std::uint64_t ask_reload() = 0;  ///< its number
   virtual const ReloadResult* reload_result(std::uint64_t number) const = 0;  ///< null: it is not over
   virtual void set_muted(bool muted) = 0;
+  virtual void reset_exposure() = 0;
   virtual std::vector<std::string> boom_names() const = 0;
   virtual DrillControls controls(int boom) const = 0;
   virtual void set_control(int boom, const ControlInfo& control, double value) = 0;  ///< one that it takes

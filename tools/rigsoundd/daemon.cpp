@@ -24,6 +24,8 @@ constexpr double kPoll_s = 0.1, kStep_s = 0.005;
 constexpr double kMuteFade_s = 0.1;
 constexpr double kLastFade_s = 0.25, kRingOut_s = 0.1;  // the end is there within half a second
 constexpr double kControlIdle_s = 3600, kMetricsIdle_s = 10;
+constexpr double kExposureFade_s = 0.1;  // as long as a window
+constexpr double kSaidFrom_db = 0.5;
 
 std::unique_ptr<audio::Sink> make_sink(const audio::AudioOptions& options, audio::Clock& clock,
                                        audio::SoundCard*& card) {
@@ -51,6 +53,7 @@ Daemon::Daemon(const DaemonOptions& options)
       audio_(std::move(loaded_.engine), *sink_, exchange_.handoff()),
       recorder_(std::move(sessions_), audio_.records(), audio_.figures()),
       start_s_(monotonic_s()) {
+  calibrate();
   open_sockets();
   start_feeds();
   recorder_.expect_run(session_header());
@@ -134,11 +137,45 @@ void Daemon::poll() {
   report_card();
   report_jumps();
   poll_session(now_s);
-  levels_.take(audio_.report().closed);
-  audio_.close_window(levels_.taken() + 1);
+  poll_levels();
   for (LineServer& server : servers_) server.tell_news(now_s);
   if (loaded_.osc_output.due(now_s)) loaded_.osc_output.send(snapshot(), now_s);
   service_.watch(audio_.figures().blocks.load(std::memory_order_relaxed), now_s);
+}
+
+void Daemon::calibrate() {
+  const config::Rig& rig = loaded_.rig;
+  exposure_.set(rig.calibration.db_spl_at_0dbfs, rig.safety.max_laeq_db);
+  audio_.measure_sound(rig.calibration.db_spl_at_0dbfs > 0);
+  exchange_.set_exposure_gain(exposure_.gain(), kExposureFade_s);
+}
+
+void Daemon::poll_levels() {
+  const LevelWindow& closed = audio_.report().closed;
+  if (levels_.take(closed)) {
+    const double before = exposure_.gain();
+    exposure_.take(closed, loaded_.rig.audio.block / loaded_.rig.audio.rate);
+    if (exposure_.gain() != before) exchange_.set_exposure_gain(exposure_.gain(), kExposureFade_s);
+    say_turned_down();
+  }
+  audio_.close_window(levels_.taken() + 1);
+}
+
+void Daemon::say_turned_down() {
+  const auto exposure = exposure_.snapshot();
+  const double down_db = exposure ? exposure->turned_down_db : 0;
+  if (turned_down_ ? down_db > 0 : down_db < kSaidFrom_db) return;
+  turned_down_ = !turned_down_;
+  if (turned_down_)
+    log_warning(fmt::format("output turned down: its level at the ear would pass max_laeq_db, {:g} dB(A)",
+                            loaded_.rig.safety.max_laeq_db));
+  else
+    log_info("output no longer turned down");
+}
+
+void Daemon::reset_exposure() {
+  exposure_.reset();
+  log_info("exposure: begins again");
 }
 
 void Daemon::poll_session(double now_s) {

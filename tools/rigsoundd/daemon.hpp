@@ -10,6 +10,7 @@
 
 #include "audio_thread.hpp"
 #include "commands.hpp"
+#include "exposure.hpp"
 #include "feed.hpp"
 #include "levels.hpp"
 #include "line_server.hpp"
@@ -56,6 +57,7 @@ class Daemon : private DaemonControl, private osc::ControlListener {
     return reload_queue_.result(number);
   }
   void set_muted(bool muted) override;
+  void reset_exposure() override;
   std::vector<std::string> boom_names() const override;
   DrillControls controls(int boom) const override { return exchange_.controls(boom); }
   void set_control(int boom, const ControlInfo& control, double value) override {
@@ -107,11 +109,14 @@ class Daemon : private DaemonControl, private osc::ControlListener {
   void open_sockets();
   void poll();
   void poll_session(double now_s);
+  void poll_levels();
+  void say_turned_down();
   void report_card();
   void report_jumps();
   void handle_signals(int signals);
   bool plays_the_same(const LoadedRig& next) const;  ///< as the running engine
   void fade_out();
+  void calibrate();
   session::SessionHeader session_header() const;
   audio::CardStatus card() const;
   std::vector<SignalSnapshot> signal_snapshots(const MachineState& heard) const;
@@ -128,6 +133,8 @@ class Daemon : private DaemonControl, private osc::ControlListener {
   std::unique_ptr<audio::Sink> sink_;
   AudioThread audio_;
   Levels levels_;
+  Exposure exposure_;
+  bool turned_down_ = false;  ///< said so
   Recorder recorder_;
   std::vector<std::unique_ptr<Feed>> feeds_, leaving_;
   std::optional<UnixListener> control_socket_;

@@ -66,6 +66,7 @@ void Daemon::take_read_rig(double now_s) {
   if (change_.reload && plays_the_same(read->rig) && recorder_.problem().empty()) {
     read->rig.engine.reset();  // the running one goes on
     loaded_ = std::move(read->rig);
+    calibrate();
     return leave_feeds();
   }
   next_ = std::move(read->rig);
@@ -82,6 +83,7 @@ void Daemon::swap_when_silent(double now_s) {
   recorder_.poll(now_s);
   std::unique_ptr<Engine> engine = std::move(next_.engine);
   loaded_ = std::exchange(next_, {});
+  calibrate();
   recorder_.expect_run(session_header());
   audio_.offer_engine(std::move(engine));
   change_.step = Change::Step::kSwapping;

@@ -48,6 +48,7 @@ Snapshot Daemon::snapshot_with(const LevelWindow& levels) const {
   s.output = level(levels.output, levels.blocks);
   s.diesel = level(levels.diesel, levels.blocks);
   s.limiter_gain = static_cast<double>(levels.limiter_gain);
+  s.exposure = exposure_.snapshot();
   const MachineState& heard = audio_.heard();
   s.output_gain = static_cast<double>(heard.output_gain);
   s.muted = exchange_.muted();

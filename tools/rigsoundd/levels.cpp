@@ -2,12 +2,13 @@
 
 namespace rigsound::daemon {
 
-void Levels::take(const LevelWindow& closed) {
-  if (closed.number == taken_) return;
+bool Levels::take(const LevelWindow& closed) {
+  if (closed.number == taken_) return false;
   taken_ = closed.number;
   last_[next_] = closed;
   next_ = (next_ + 1) % kRecent;
   scraped_.add(closed);
+  return true;
 }
 
 LevelWindow Levels::recent() const {

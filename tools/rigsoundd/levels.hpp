@@ -10,8 +10,8 @@ namespace rigsound::daemon {
 /// Every block is in one window, and every window in one scrape. Thread: CT.
 class Levels {
  public:
-  /// The last complete window; one that was taken before does not count again.
-  void take(const LevelWindow& closed);
+  /// The last complete window; one that was taken before does not count again: false.
+  bool take(const LevelWindow& closed);
 
   LevelWindow recent() const;  ///< the last kRecent windows
   LevelWindow since_scrape();  ///< since the last call; the recent ones when no window came since

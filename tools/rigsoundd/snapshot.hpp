@@ -57,6 +57,16 @@ struct BoomSnapshot {
   LevelSnapshot drill_level, tool_level;
 };
 
+/// At the ear, by the rig's calibration; 0 dB: silence, or less.
+struct ExposureSnapshot {
+  double fast_db = 0, slow_db = 0;  ///< A-weighted level now, dB(A)
+  double minute_db = 0;             ///< A-weighted equivalent level of about the last minute, dB(A)
+  double day_db = 0;                ///< L_EX,8h: what was heard since the reset, spread over 8 h, dB(A)
+  double peak_db = 0;               ///< L_C,peak since the reset, dB(C)
+  double since_s = 0;               ///< sound since the reset
+  double turned_down_db = 0;        ///< by which the limit has turned the output down
+};
+
 struct SessionSnapshot {
   std::string file, problem;
   bool recording = false;
@@ -78,6 +88,7 @@ struct Snapshot {
       diesel;               ///< these and the booms': of the last moments; of a scrape: since the last one
   double limiter_gain = 1;  ///< lowest of that time, linear
   double output_gain = 1;   ///< linear
+  std::optional<ExposureSnapshot> exposure;  ///< none without a calibration
   bool muted = false, paused = false;
   bool no_buses = false;  ///< started with --manual
   std::uint64_t reloads = 0, failed_reloads = 0, lost_log_entries = 0;

@@ -99,6 +99,18 @@ Json meters_json(const Snapshot& s) {
   return json;
 }
 
+Json exposure_json(const Snapshot& s) {
+  if (!s.exposure) return nullptr;
+  const ExposureSnapshot& e = *s.exposure;
+  return {{"laf_db", e.fast_db},
+          {"las_db", e.slow_db},
+          {"laeq_1min_db", e.minute_db},
+          {"lex_8h_db", e.day_db},
+          {"lc_peak_db", e.peak_db},
+          {"since_s", e.since_s},
+          {"turned_down_db", e.turned_down_db}};
+}
+
 }  // namespace
 
 Json status_json(const Snapshot& s) {
@@ -108,6 +120,7 @@ Json status_json(const Snapshot& s) {
               {"uptime_s", s.uptime_s},
               {"audio", audio_json(s)},
               {"meters", meters_json(s)},
+              {"exposure", exposure_json(s)},
               {"muted", s.muted},
               {"paused", s.paused},
               {"no_buses", s.no_buses},

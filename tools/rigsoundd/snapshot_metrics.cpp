@@ -88,6 +88,19 @@ void add_audio(Page& page, const Snapshot& s) {
   page.gauge("output_gain_ratio", s.output_gain, "Safety rules, mute and fades together.", "ratio");
 }
 
+void add_exposure(Page& page, const Snapshot& s) {
+  if (!s.exposure) return;
+  const ExposureSnapshot& e = *s.exposure;
+  page.gauge("sound_level_fast_decibels", e.fast_db, "A-weighted level at the ear, fast.", "decibels");
+  page.gauge("sound_level_slow_decibels", e.slow_db, "A-weighted level at the ear, slow.", "decibels");
+  page.gauge("sound_level_minute_decibels", e.minute_db,
+             "A-weighted equivalent level at the ear over about a minute.", "decibels");
+  page.gauge("exposure_8h_decibels", e.day_db, "L_EX,8h since the start or the last reset.", "decibels");
+  page.gauge("exposure_peak_decibels", e.peak_db, "L_C,peak since the start or the last reset.", "decibels");
+  page.gauge("exposure_turned_down_decibels", e.turned_down_db,
+             "How far the limit has turned the output down.", "decibels");
+}
+
 // One family per counter name, one sample per bus that has it.
 void add_buses(Page& page, const Snapshot& s) {
   page.family("bus_up", "gauge", "1 while the bus delivers.");
@@ -196,6 +209,7 @@ void add_signals(Page& page, const Snapshot& s) {
 std::string to_openmetrics(const Snapshot& s) {
   Page page;
   add_audio(page, s);
+  add_exposure(page, s);
   add_layers(page, s, "layer_peak_since_scrape_ratio", &LevelSnapshot::peak,
              "Peak of a layer before pan, output level and limiter, since the last scrape.");
   add_layers(page, s, "layer_rms_since_scrape_ratio", &LevelSnapshot::rms,

@@ -55,6 +55,10 @@ void StateExchange::set_gate(double target, double fade_s) {
   edit([&](StateInput& input) { input.gate.start(target, fade_s, monotonic_s()); });
 }
 
+void StateExchange::set_exposure_gain(double gain, double fade_s) {
+  edit([&](StateInput& input) { input.exposure.start(gain, fade_s, monotonic_s()); });
+}
+
 void StateExchange::set_safety(const SafetyOptions& safety) {
   edit([&](StateInput& input) { input.safety = safety; });
 }

@@ -16,7 +16,7 @@ struct StateInput {
   SignalBoard board;
   SafetyOptions safety;
   std::array<DrillControls, kMaxBooms> controls{};
-  OutputFade mute, gate;
+  OutputFade mute, gate, exposure;
   std::uint64_t revision = 0;  ///< counts changes
 };
 
@@ -35,6 +35,9 @@ class StateExchange {
   bool muted() const;                         ///< Thread: CT
   /// Second output gain, for engine swap and shutdown fades: 0 silent, 1 open. Thread: CT
   void set_gate(double target, double fade_s);
+
+  /// Third output gain, for the limit of exposure. Thread: CT
+  void set_exposure_gain(double gain, double fade_s);
 
   void set_safety(const SafetyOptions& safety);  ///< Thread: CT
 

@@ -17,7 +17,7 @@ namespace {
 constexpr Range kEvery{0.1, 3600, "s"};
 
 /// Parts of the status that a client chooses; the rest is always told.
-constexpr std::array<std::string_view, 6> kTopics = {"audio",  "buses",   "booms",
+constexpr std::array<std::string_view, 7> kTopics = {"audio",  "buses",   "booms",  "exposure",
                                                      "meters", "session", "signals"};
 
 // What is other in every status says nothing by itself.
@@ -56,6 +56,7 @@ Json view_of(Json status, const std::set<std::string>& topics) {
   for (const char* name : {"ok", "uptime_s"}) status.erase(name);
   if (status.contains("audio")) erase(status["audio"], kOfAudio);
   if (status.contains("session")) status["session"].erase("bytes");
+  if (status.contains("exposure") && status["exposure"].is_object()) status["exposure"].erase("since_s");
   if (status.contains("signals")) status["signals"] = by_name(status["signals"], trim_signal);
   if (status.contains("buses")) status["buses"] = by_name(status["buses"], trim_bus);
   if (status.contains("booms"))

@@ -15,10 +15,13 @@
 
 namespace rigsound::config {
 
+constexpr std::uint32_t kPackVersion = 2;  ///< 2: [mix] lookahead_ms
+
 class PackReader {
  public:
-  /// `bytes` must outlive it; `file` is for messages.
-  PackReader(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
+  /// `bytes` must outlive it; `file` is for messages. What a file of `version` does not hold stays as it is.
+  PackReader(std::string_view bytes, const std::string& file, std::uint32_t version = kPackVersion)
+      : bytes_(bytes), file_(file), version_(version) {}
 
   [[noreturn]] void fail(const std::string& problem) const { throw InputError(file_, problem); }
   std::size_t left() const noexcept { return bytes_.size() - at_; }
@@ -54,6 +57,7 @@ class PackReader {
   }
 
   void operator()(const char* key, double& x, const Range& range) {
+    if (version_ < 2 && std::string_view(key) == "lookahead_s") return;
     x = number<double>();
     if (!range.holds(x)) fail(key, range.problem(x));
   }
@@ -109,6 +113,7 @@ class PackReader {
 
   std::string_view bytes_;
   const std::string& file_;
+  std::uint32_t version_;
   std::size_t at_ = 0;
 };
 

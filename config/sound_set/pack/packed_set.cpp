@@ -12,7 +12,6 @@ namespace rigsound::config {
 namespace {
 
 constexpr std::string_view kMagic{"RIGSET\x1a\n", 8};
-constexpr std::uint32_t kVersion = 1;
 constexpr std::size_t kHashAt = 24, kHashed = 56, kAlignment = 64;
 
 // ---- what stands in the file, in its order; one function writes a part, its neighbour reads it
@@ -180,19 +179,20 @@ void require_valid_models(const SoundSetParts& parts, const std::string& file) {
   }
 }
 
-/// What the head says of the whole; the rest of it is trusted only then.
-void require_whole(std::string_view bytes, PackReader& head) {
+/// What the head says of the whole; the rest of it is trusted only then. Returns the file's version.
+std::uint32_t require_whole(std::string_view bytes, PackReader& head) {
   if (!is_packed(bytes)) head.fail("is no packed sound set, expected one that rigsound pack wrote");
   head.number<std::uint64_t>();
   const auto version = head.number<std::uint32_t>();
-  if (version != kVersion)
-    head.fail("is of version " + std::to_string(version) + ", expected " + std::to_string(kVersion));
+  if (version < 1 || version > kPackVersion)
+    head.fail("is of version " + std::to_string(version) + ", expected 1..." + std::to_string(kPackVersion));
   head.number<std::uint32_t>();
   if (head.number<std::uint64_t>() != bytes.size()) head.fail("is cut off or has grown since it was packed");
   if (bytes.size() < kHashed) head.fail("is cut off");
   const auto hash = sha256(bytes.substr(kHashed));
   if (std::memcmp(hash.data(), bytes.data() + kHashAt, hash.size()) != 0)
     head.fail("is damaged: its SHA-256 is another");
+  return version;
 }
 
 }  // namespace
@@ -213,7 +213,7 @@ std::string packed(const PackedSet& set) {
   for (const DieselModel& diesel : set.parts.diesels) write_diesel(diesel, out);
 
   bytes.resize((bytes.size() + kAlignment - 1) / kAlignment * kAlignment);
-  put(bytes, 8, kVersion);
+  put(bytes, 8, kPackVersion);
   put(bytes, kHashed, static_cast<std::uint64_t>(bytes.size()));
   bytes += samples;
   put(bytes, 16, static_cast<std::uint64_t>(bytes.size()));
@@ -224,14 +224,15 @@ std::string packed(const PackedSet& set) {
 
 PackedSet read_packed(std::string_view bytes, const std::string& file) {
   PackReader head(bytes, file);
-  require_whole(bytes, head);
+  const std::uint32_t version = require_whole(bytes, head);
   std::uint64_t samples_at = 0;
   PackReader all(bytes.substr(kHashed), file);
   samples_at = all.number<std::uint64_t>();
   if (samples_at > bytes.size() || samples_at < kHashed + sizeof samples_at)
     all.fail("is damaged: it begins behind its end");
   const std::string_view samples = bytes.substr(samples_at);
-  PackReader in(bytes.substr(kHashed + sizeof samples_at, samples_at - kHashed - sizeof samples_at), file);
+  PackReader in(bytes.substr(kHashed + sizeof samples_at, samples_at - kHashed - sizeof samples_at), file,
+                version);
   PackedSet set;
   set.rig = read_rig(in);
   set.parts.index = read_index(in);

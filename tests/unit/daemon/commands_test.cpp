@@ -17,6 +17,7 @@ struct TwoBooms : DaemonControl {
   Snapshot snapshot() const override {
     Snapshot s;
     s.muted = muted;
+    s.exposure = exposure;
     s.signals = {{"engine_rpm", "r/min", 1500, 0.01, "valid", "", 0, 0, {}},
                  {"boom2.rod_count", "", 1, -1, "never_seen", "", 0, 0, {}},
                  {"rattling", "", 2, -1, "manual", "open", 0, 0, {}},
@@ -43,6 +44,7 @@ struct TwoBooms : DaemonControl {
   std::uint64_t ask_reload() override { return reloads.ask(); }
   const ReloadResult* reload_result(std::uint64_t number) const override { return reloads.result(number); }
   void set_muted(bool on) override { muted = on; }
+  void reset_exposure() override { exposure = ExposureSnapshot{}; }
   std::vector<std::string> boom_names() const override { return {"left", "right"}; }
   DrillControls controls(int boom) const override { return controls_[boom]; }
   void set_control(int boom, const ControlInfo& control, double value) override {
@@ -60,6 +62,7 @@ struct TwoBooms : DaemonControl {
 
   ClientState client;
   ReloadQueue reloads;
+  std::optional<ExposureSnapshot> exposure;
   bool muted = false;
   DrillControls controls_[2];
   SignalBoard board;
@@ -194,6 +197,25 @@ TEST_CASE("mute turns over, or goes where it is told") {
   CHECK(ask(daemon, R"({"command":"mute"})")["muted"] == true);
   CHECK(ask(daemon, R"({"command":"mute","on":true})")["muted"] == true);
   CHECK(ask(daemon, R"({"command":"mute"})")["muted"] == false);
+}
+
+TEST_CASE("exposure begins again where the output is calibrated") {
+  TwoBooms daemon;
+  CHECK(ask(daemon, R"({"command": "status"})")["exposure"].is_null());
+  CHECK(ask(daemon, R"({"command": "metrics"})")["text"].get<std::string>().find("exposure") ==
+        std::string::npos);
+  CHECK(ask(daemon, R"({"command": "exposure_reset"})")["error"].get<std::string>().find("db_spl_at_0dbfs") !=
+        std::string::npos);
+  daemon.exposure = ExposureSnapshot{71, 70, 69, 58.5, 101, 3600, 1.5};
+  const Json told = ask(daemon, R"({"command": "status"})")["exposure"];
+  CHECK(told["laf_db"] == 71);
+  CHECK(told["lex_8h_db"] == 58.5);
+  CHECK(told["turned_down_db"] == 1.5);
+  CHECK(ask(daemon, R"({"command": "metrics"})")["text"].get<std::string>().find(
+            "\nrigsound_exposure_8h_decibels 58.5\n") != std::string::npos);
+  const Json reset = ask(daemon, R"({"command": "exposure_reset"})");
+  CHECK(reset["ok"] == true);
+  CHECK(reset["exposure"]["lex_8h_db"] == 0);
 }
 
 TEST_CASE("reload answers when it is over: why not, and what only a restart can change") {

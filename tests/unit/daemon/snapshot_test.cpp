@@ -74,3 +74,24 @@ TEST_CASE("A loud moment between two scrapes is in the second, and in no other")
   status_when(rig.socket(), quiet);
   CHECK(value_of(metrics(rig), peak) == 0);
 }
+
+TEST_CASE("A calibrated rig knows how loud it is, and turns itself down before its limit") {
+  const SmallRig rig;
+  rig.write_rig("[mix]\ndb_spl_at_0dbfs = 160\n[safety]\nmax_laeq_db = 40\n");
+  daemon::Daemon daemon({(rig.folder.path / "rig.toml").string(), {}, config::Buses::kLeftOut});
+  const Running running(daemon);
+  CHECK(status(rig.socket())["exposure"]["lex_8h_db"] == 0);
+  ask(rig.socket(), {{"command", "set"}, {"key", "engine_rpm"}, {"value", 1500}});
+  const nlohmann::json loud =
+      status_when(rig.socket(), [](const nlohmann::json& s) { return s["exposure"]["turned_down_db"] > 3; });
+  CHECK(loud["exposure"]["turned_down_db"] > 3);
+  CHECK(loud["exposure"]["lex_8h_db"] > 0);
+  CHECK(loud["exposure"]["lc_peak_db"] > loud["exposure"]["laf_db"]);
+  CHECK(loud["meters"]["output_gain"] < 0.9);
+  CHECK(value_of(metrics(rig), "rigsound_exposure_turned_down_decibels") > 3);
+  ask(rig.socket(), {{"command", "set"}, {"key", "engine_rpm"}, {"value", 0}});
+  status_when(rig.socket(), [](const nlohmann::json& s) { return s["meters"]["peak_db"] == -200; });
+  const nlohmann::json reset = ask(rig.socket(), {{"command", "exposure_reset"}});
+  CHECK(reset["exposure"]["lex_8h_db"] == 0);
+  CHECK(reset["exposure"]["lc_peak_db"] == 0);
+}

@@ -49,6 +49,18 @@ std::string meter_lines(const Json& s) {
                      m["lost_clicks"].get<std::uint64_t>(), m["dropped_chunks"].get<std::uint64_t>());
 }
 
+std::string exposure_text(const Json& s) {
+  const Json& e = s["exposure"];
+  if (e.is_null()) return {};
+  const double down_db = e["turned_down_db"];
+  return fmt::format(
+      "ear      {:.0f} dB(A) fast, {:.0f} slow, {:.1f} of the last minute{}\n"
+      "         L_EX,8h {:.1f} dB(A), L_C,peak {:.0f} dB(C) in {}\n",
+      e["laf_db"].get<double>(), e["las_db"].get<double>(), e["laeq_1min_db"].get<double>(),
+      down_db > 0 ? fmt::format("; TURNED DOWN {:.1f} dB", down_db) : "", e["lex_8h_db"].get<double>(),
+      e["lc_peak_db"].get<double>(), duration_text(e["since_s"]));
+}
+
 std::string banks_line(const Json& boom) {
   std::string text;
   for (const Json& bank : boom["banks"]) {
@@ -121,7 +133,7 @@ std::string session_line(const Json& s) {
 }  // namespace
 
 std::string status_text(const Json& status) {
-  std::string text = audio_lines(status) + meter_lines(status) + bus_lines(status);
+  std::string text = audio_lines(status) + meter_lines(status) + exposure_text(status) + bus_lines(status);
   for (const Json& boom : status["booms"]) text += boom_lines(boom);
   return text + signal_lines(status) + session_line(status);
 }

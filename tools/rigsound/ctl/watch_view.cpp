@@ -45,6 +45,17 @@ std::string meter_line(const Json& s) {
                      dropped > 0 ? fmt::format("  {} CHUNKS DROPPED", dropped) : "");
 }
 
+/// Of a rig that is calibrated.
+Lines exposure_lines(const Json& s) {
+  const Json& e = s["exposure"];
+  if (e.is_null()) return {};
+  const double down_db = e["turned_down_db"];
+  return {fmt::format(
+      "ear {:.0f} dB(A) slow  {:.1f} of the last minute  L_EX,8h {:.1f}  L_C,peak {:.0f} dB(C){}",
+      e["las_db"].get<double>(), e["laeq_1min_db"].get<double>(), e["lex_8h_db"].get<double>(),
+      e["lc_peak_db"].get<double>(), down_db > 0 ? fmt::format("  TURNED DOWN {:.1f} dB", down_db) : "")};
+}
+
 std::string bus_line(const Json& bus) {
   const std::string problem = bus["problem"];
   std::string line =
@@ -202,6 +213,7 @@ std::string watch_text(const Json& s, const Screen& screen) {
   Lines lines = {head_line(s),
                  (audio["playing"].get<bool>() ? "" : "NO SOUND: ") + audio["card"].get<std::string>(),
                  meter_line(s)};
+  append(lines, exposure_lines(s));
   for (const Json& bus : s["buses"]) lines.push_back(bus_line(bus));
   append(lines, rig_lines(s, screen.columns));
   append(lines, refused_lines(s));

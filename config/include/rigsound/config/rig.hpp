@@ -14,6 +14,7 @@
 #include "rigsound/machine/signal_board.hpp"
 #include "rigsound/modbus/modbus_options.hpp"
 #include "rigsound/osc/osc_options.hpp"
+#include "rigsound/sound_level_meter.hpp"
 #include "rigsound/udp/udp_options.hpp"
 
 namespace rigsound::config {
@@ -44,6 +45,7 @@ void fields(Archive& a, ControlOptions& o) {
 struct Rig : SoundingRig {
   audio::AudioOptions audio;
   SafetyOptions safety;
+  CalibrationOptions calibration;  ///< [mix] db_spl_at_0dbfs
   std::vector<can::CanOptions> can;
   std::vector<std::filesystem::path> dbc_files;  ///< that they were read from
   std::vector<modbus::ModbusOptions> modbus;

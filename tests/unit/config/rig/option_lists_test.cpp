@@ -158,7 +158,7 @@ TEST_CASE("demo.toml names every key of every list once a table, with its range 
   require_named("sound", KeyList::of<config::SoundSection>());
   require_named("boom", KeyList::of<BoomOptions>({"tool"}));
   require_named("scene", KeyList::of<SceneOptions>());
-  require_named("mix", KeyList::of<MixOptions>());
+  require_named("mix", KeyList::of<MixOptions>({"db_spl_at_0dbfs"}));
   require_named("safety", KeyList::of<SafetyOptions>());
   require_named("can", KeyList::of<can::CanOptions>({"dbc", "j1939"}));
   require_named("modbus", KeyList::of<modbus::ModbusOptions>({"allow"}));

@@ -179,6 +179,12 @@ TEST_CASE("what the engine's check finds between keys is told with file, line an
         ":3: mix.equaliser[1].frequency_hz: is 22000, expected at most 0.45 of the rate, 21600");
   CHECK(refusal("[audio]\nrate = 96000\n[mix]\nequaliser = [ { frequency_hz = 22000 } ]\n") == "");
   CHECK(refusal("[mix]\nequaliser = [ { frequency_hz = 10, q = 20 }, { q = 0.1 } ]\n") == "");
+  CHECK(refusal("[safety]\nmax_laeq_db = 80\n") ==
+        ":2: safety.max_laeq_db: is 80 dB of an output that is not calibrated, expected mix.db_spl_at_0dbfs "
+        "too");
+  CHECK(refusal("[mix]\ndb_spl_at_0dbfs = 105\n[safety]\nmax_laeq_db = 80\n") == "");
+  CHECK(refusal("[mix]\nlookahead_ms = 1\n") == ":2: mix.lookahead_ms: is 1 ms, expected 0 or 2...20 ms");
+  CHECK(refusal("[mix]\nlookahead_ms = 0\n") == "");
 }
 
 TEST_CASE("signals go to the boom they name, and to one source only") {

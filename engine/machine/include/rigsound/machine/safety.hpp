@@ -50,14 +50,16 @@ void fields(Archive& a, SafetyRule& o) {
 
 struct SafetyOptions {
   std::array<SafetyRule, kSignalCount> rule{};
-  double fade_s = 0.3;    ///< time a safety action takes to act, and to let go
-  double idle_rpm = 800;  ///< where `idle` brings the diesel, r/min; one that turned slower stays there
+  double fade_s = 0.3;     ///< time a safety action takes to act, and to let go
+  double max_laeq_db = 0;  ///< dB(A): A-weighted level over a minute that the output stays below; 0: any
+  double idle_rpm = 800;   ///< where `idle` brings the diesel, r/min; one that turned slower stays there
 };
 
 /// What no signal and no other section says.
 template <class Archive>
 void fields(Archive& a, SafetyOptions& o) {
   a("fade_s", o.fade_s, Range{0, 60, "s"});
+  a("max_laeq_db", o.max_laeq_db, Range{40, 120, "dB"}.or_zero());
 }
 
 }  // namespace rigsound
