@@ -20,6 +20,7 @@ struct Scraped : DaemonControl {
   std::uint64_t ask_reload() override { return 1; }
   const ReloadResult* reload_result(std::uint64_t) const override { return nullptr; }
   void set_muted(bool) override {}
+  void reset_exposure() override {}
   std::vector<std::string> boom_names() const override { return {}; }
   DrillControls controls(int) const override { return {}; }
   void set_control(int, const ControlInfo&, double) override {}
