@@ -253,7 +253,7 @@ class BadInput(Case):
         rig = self.demo_rig()
         out = self.folder / 'out.wav'
         words = ['render', rig, '--log', self.log, '--out', out]
-        self.refused(words, ':16: sound.set: there is no folder')
+        self.refused(words, ':17: sound.set: there is no folder')
         self.refused(['render', self.rig, '--log', self.log, '--out', out], 'sound.set: is missing')
         set_folder = write_sound_set(self.folder / 'set')
         (set_folder / 'banks/overfeed/clicks.wav').write_bytes(b'')

@@ -22,7 +22,7 @@ RULES = {
     'engine/machine': (('engine/dsp',), ()),
     'engine': (GROUND, ()),
     'drivers': ((*GROUND, 'engine'), ('modbus', 'alsa/', 'lo/', 'sndfile', 'pcap', 'readerwriterqueue', 'nlohmann/', 'POSIX')),
-    'config': ((*GROUND, 'engine', 'drivers'), ('toml++/', 'nlohmann/', 'sndfile', 'fmt/')),
+    'config': ((*GROUND, 'engine', 'drivers'), ('toml++/', 'nlohmann/', 'sndfile', 'openssl/', 'fmt/')),
     'analysis': ((*GROUND, 'engine', 'drivers', 'config'),
                  ('Eigen/', 'unsupported/Eigen/', 'nlopt', 'sndfile', 'samplerate', 'nlohmann/', 'openssl/', 'fmt/',
                   'math.h', 'png.h', 'ft2build.h')),
