@@ -30,6 +30,7 @@ namespace {
 constexpr std::string_view kNamePattern = "0000-00-00T00-00-00.000Z.rigsession";
 constexpr std::size_t kMostSessions = 1000;
 constexpr std::time_t kBrief_s = 10, kCrashLoop_s = 60;
+constexpr std::size_t kLongestHeader = 1024;
 constexpr std::uintmax_t kMostSilentBytes = 16 << 10;  // of 10 s of fades and nothing else
 
 std::string name_at(std::chrono::system_clock::time_point time) {
@@ -62,32 +63,43 @@ struct OldSession {
   fs::path file;
   std::uintmax_t bytes = 0;
   std::time_t begin_s = 0, end_s = 0;
-  bool crashed = false;  ///< did not end in order
+  bool crashed = false;      ///< did not end in order
+  bool after_crash = false;  ///< begun soon after one that did not
 
-  bool brief() const { return end_s >= begin_s && end_s - begin_s < kBrief_s; }
+  /// When the clock was set back meanwhile, how long it was is not known.
+  bool under(std::time_t length_s) const { return end_s >= begin_s && end_s - begin_s < length_s; }
 };
 
-/// Of a format that marks its end, and does not.
-bool crashed(const FileDescriptor& fd, off_t size) {
-  const std::string title = std::string(kSessionTitle) + ' ' + std::to_string(kSessionFormat) + '\n';
-  std::string first(title.size(), '\0'), last(kChunkHeadBytes, '\0');
-  if (::pread(fd.get(), first.data(), first.size(), 0) < 0 || first != title) return false;
-  const off_t at = std::max<off_t>(0, size - static_cast<off_t>(last.size()));
-  return ::pread(fd.get(), last.data(), last.size(), at) < 0 || !is_end(last);
+std::string bytes_at(const FileDescriptor& fd, off_t at, std::size_t size) {
+  std::string bytes(size, '\0');
+  const ssize_t got = ::pread(fd.get(), bytes.data(), size, std::max<off_t>(0, at));
+  bytes.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+  return bytes;
+}
+
+bool begins_with(std::string_view text, std::string_view start) {
+  return text.substr(0, start.size()) == start;
 }
 
 /// Nothing for what is no regular file, does not begin as a session does, or is being written.
 std::optional<OldSession> finished_session(const fs::path& file) {
   const FileDescriptor fd(::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   struct stat about {};
-  std::string title(kSessionTitle.size(), '\0');
-  const bool ours = fd && ::fstat(fd.get(), &about) == 0 && S_ISREG(about.st_mode) &&
-                    ::read(fd.get(), title.data(), title.size()) == static_cast<ssize_t>(title.size()) &&
-                    title == kSessionTitle && ::flock(fd.get(), LOCK_SH | LOCK_NB) == 0;
-  if (!ours) return std::nullopt;
-  // Twice a second its writer writes. When the clock was set back in between, how long it was is not known.
-  return OldSession{file, static_cast<std::uintmax_t>(about.st_size), begin_s(file.filename().string()),
-                    about.st_mtime, crashed(fd, about.st_size)};
+  if (!fd || ::fstat(fd.get(), &about) != 0 || !S_ISREG(about.st_mode)) return std::nullopt;
+  const std::string head = bytes_at(fd, 0, kLongestHeader);
+  if (!begins_with(head, kSessionTitle) || ::flock(fd.get(), LOCK_SH | LOCK_NB) != 0) return std::nullopt;
+  // Sessions of older formats do not tell how they ended.
+  const bool tells_end =
+      begins_with(head, std::string(kSessionTitle) + ' ' + std::to_string(kSessionFormat) + '\n');
+  const bool in_order =
+      is_end(bytes_at(fd, about.st_size - static_cast<off_t>(kChunkHeadBytes), kChunkHeadBytes));
+  // Twice a second its writer writes.
+  return OldSession{file,
+                    static_cast<std::uintmax_t>(about.st_size),
+                    begin_s(file.filename().string()),
+                    about.st_mtime,
+                    tells_end && !in_order,
+                    head.substr(0, head.find("\n\n") + 1).find(kAfterCrashLine) != std::string::npos};
 }
 
 /// Of the folder, oldest first.
@@ -128,15 +140,18 @@ void remove(const OldSession& session) {
 /// crashed first.
 std::vector<OldSession> in_order_of_worth(const std::vector<OldSession>& sessions) {
   std::array<std::vector<OldSession>, 4> kinds;
-  const OldSession* last_crash = nullptr;
   for (const OldSession& session : sessions) {
-    const bool again = last_crash != nullptr && session.begin_s - last_crash->end_s < kCrashLoop_s;
-    kinds[session.crashed ? (again ? 2 : 3) : (session.brief() ? 0 : 1)].push_back(session);
-    if (session.crashed) last_crash = &session;
+    const bool again = session.after_crash && session.under(kCrashLoop_s);
+    kinds[session.crashed ? (again ? 2 : 3) : (session.under(kBrief_s) ? 0 : 1)].push_back(session);
   }
   std::vector<OldSession> all;
   for (const std::vector<OldSession>& kind : kinds) all.insert(all.end(), kind.begin(), kind.end());
   return all;
+}
+
+bool soon_after_a_crash(const fs::path& folder, std::time_t now_s) {
+  const std::vector<OldSession> sessions = sessions_in(folder);
+  return !sessions.empty() && sessions.back().crashed && now_s - sessions.back().end_s < kCrashLoop_s;
 }
 
 }  // namespace
@@ -151,7 +166,7 @@ void SessionFolder::make_room() const {
   std::vector<OldSession> sessions;
   std::uintmax_t bytes = 0;
   for (const OldSession& session : sessions_in(path_)) {
-    if (session.brief() && session.bytes < kMostSilentBytes && tells_nothing(session.file)) {
+    if (session.under(kBrief_s) && session.bytes < kMostSilentBytes && tells_nothing(session.file)) {
       remove(session);
       continue;
     }
@@ -172,11 +187,13 @@ std::unique_ptr<SessionWriter> SessionFolder::begin(const SessionHeader& header,
   std::error_code error;
   fs::create_directories(path_, error);
   if (error) throw DeviceError(path_.string() + ": session cannot be written: " + error.message());
+  SessionHeader with_history = header;
+  with_history.after_crash = soon_after_a_crash(path_, std::chrono::system_clock::to_time_t(now));
   make_room();
   for (;; now += std::chrono::milliseconds(1)) {
     const fs::path file = path_ / name_at(now);
     FileDescriptor fd(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
-    if (fd) return std::make_unique<SessionWriter>(file, std::move(fd), header);
+    if (fd) return std::make_unique<SessionWriter>(file, std::move(fd), with_history);
     if (errno != EEXIST)
       throw DeviceError(file.string() + ": session cannot be written: " + std::strerror(errno));
   }

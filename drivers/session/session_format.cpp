@@ -102,7 +102,8 @@ std::string header_text(const SessionHeader& h) {
   text.imbue(std::locale::classic());
   text << kSessionTitle << ' ' << kSessionFormat << "\nprogram " << h.program << "\nfingerprint "
        << h.fingerprint << "\nseed " << h.seed << "\nsample_rate " << h.sample_rate << "\nblock " << h.block
-       << "\nchannels " << h.channels << "\nformat " << audio::name(h.format) << "\n\n";
+       << "\nchannels " << h.channels << "\nformat " << audio::name(h.format)
+       << (h.after_crash ? kAfterCrashLine : "\n") << '\n';
   return text.str();
 }
 

@@ -42,6 +42,7 @@ bool read_chunk(std::istream& in, Chunk& chunk);
 bool is_end(const std::string& last_bytes);
 
 std::string header_text(const SessionHeader& header);
+constexpr std::string_view kAfterCrashLine = "\nafter_crash 1\n";  ///< of a header
 
 /// Seven bits a byte, least significant first.
 void put_varint(std::string& out, std::uint64_t value);

@@ -15,6 +15,7 @@ constexpr double kSilence_s = 2;
 
 void Recorder::give_up(const std::string& why) {
   problem_ = why;
+  interrupted_ = false;
   writer_.reset();
   log_error(why + "; the sound goes on, this run is no longer recorded");
 }

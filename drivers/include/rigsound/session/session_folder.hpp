@@ -22,9 +22,9 @@ class SessionFolder {
 
   /// A new session; the folder is made when it is not there. To make room, sessions under 10 s in which
   /// nothing was told go first. Then, until a share is free and fewer than 1000 are left, each kind oldest
-  /// first: those under 10 s that ended in order, the others that did, those that a crash ended within a
-  /// minute after another crash, and last those that a crash ended. What is being written stays. Errors:
-  /// DeviceError.
+  /// first: those under 10 s that ended in order, the others that did, those under a minute that a crash
+  /// ended and that began within a minute after another crash, and last those that a crash ended. What is
+  /// being written stays. Errors: DeviceError.
   std::unique_ptr<SessionWriter> begin(const SessionHeader& header,
                                        std::chrono::system_clock::time_point now);
 

@@ -25,6 +25,7 @@ struct SessionHeader {
   int block = 64;              ///< frames
   int channels = 2;
   audio::SampleFormat format = audio::SampleFormat::kFloat;  ///< the card's
+  bool after_crash = false;  ///< begun soon after a session that a crash ended; SessionFolder says
 };
 
 /// A header in text, then chunks: kind, size and CRC-32, number of the block that follows, and the changes of
