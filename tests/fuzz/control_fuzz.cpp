@@ -16,8 +16,10 @@ class NoDaemon : public DaemonControl {
  public:
   Snapshot snapshot() const override { return {}; }
   Snapshot scrape() override { return {}; }
-  ReloadResult reload() override { return {}; }
+  std::uint64_t ask_reload() override { return 1; }
+  const ReloadResult* reload_result(std::uint64_t) const override { return &reloaded_; }
   void set_muted(bool) override {}
+  void reset_exposure() override {}
   std::vector<std::string> boom_names() const override { return {"left", "right"}; }
   DrillControls controls(int) const override { return {}; }
   void set_control(int boom, const ControlInfo& control, double value) override {
@@ -32,6 +34,8 @@ class NoDaemon : public DaemonControl {
   static void require(bool good) {
     if (!good) std::abort();
   }
+
+  ReloadResult reloaded_;
 };
 
 }  // namespace
@@ -39,8 +43,9 @@ class NoDaemon : public DaemonControl {
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string request(reinterpret_cast<const char*>(data), size);
   NoDaemon daemon;
-  std::optional<Subscription> subscription;
-  const std::string line = answer(request, daemon, subscription);
+  ClientState client;
+  std::string line = answer(request, daemon, client);
+  if (line.empty()) line = late_answer(daemon, client);
   if (line.empty() || line.find('\n') != line.size() - 1) std::abort();
   if (!nlohmann::json::accept(line)) std::abort();
   if (MetricsPage(daemon).answer(request).compare(0, 9, "HTTP/1.1 ") != 0) std::abort();

@@ -18,7 +18,7 @@ AnalysedPart part(const std::string& bank, Situation situation, int rods, double
   p.part.label.rods = rods;
   p.mean_gap_samples = T_0;
   p.clicks = 10;
-  p.figures = {60, 1, 1, 48000 / T_0, level_db, 10, 0.05, 0.05, 0.3, 2};
+  p.figures = {60, 1, 1, 48000 / T_0, level_db, 10, 0.05, 0.05, 0.3, 0.5, 2, {}};
   return p;
 }
 
@@ -43,6 +43,7 @@ TEST_CASE("lint warns about what it should, and about nothing else") {
   CHECK(warns(with([](AnalysedPart& p) { p.figures.longest_click_s = 0.01; }), "shorter than their decay"));
   CHECK(warns(with([](AnalysedPart& p) { p.figures.rate_hz = 95; }), "rate out of range"));
   CHECK(warns(with([](AnalysedPart& p) { p.figures.segments = 3; }), "1 of 3 segments"));
+  CHECK(warns(with([](AnalysedPart& p) { p.figures.doubt = "it swells"; }), "may be no drilling: it swells"));
 }
 
 TEST_CASE("lint finds the bank that is out of order among rods, and says so in strikes and rods") {
