@@ -72,9 +72,10 @@ BankFigures read_figures(const fs::path& path) {
 }  // namespace
 
 std::string settings_of(const Part& part, const AnalyzerOptions& options) {
-  std::string text = fmt::format("revision={} method={} denoise={} clicks={} labelled={}", kAnalysisRevision,
-                                 options.method == Method::kPaper ? "paper" : "click-nmf",
-                                 options.denoise ? "yes" : "no", options.clicks, part.labelled ? "yes" : "no");
+  std::string text =
+      fmt::format("revision={} method={} denoise={} clicks={} labelled={}", kAnalysisRevision,
+                  options.method == Method::kPaper ? "paper" : "click-nmf", options.denoise ? "yes" : "no",
+                  options.clicks, part.labelled ? "yes" : "no");
   if (!part.whole())
     text += fmt::format(" start_s={:.6f} end_s={:.6f}", part.label.start_s, part.label.end_s);
   return text;

@@ -56,14 +56,18 @@ AnalysedPart analyse(Task& task, const std::string& sha256, const AnalyzerOption
   Recording recording = read_part(task.part);
   task.notes = reading_notes(task.part.recording, recording);
   const PartAnalysis analysis = analyse_part(task.part, std::move(recording), options);
+  const std::string where = stretches_text(analysis.chain.joined.verdict);
+  if (!task.part.labelled && !where.empty())
+    task.notes.push_back(fmt::format("{}: {}", task.part.recording.string(), where));
   const ClickBank& bank = analysis.built.bank;
   AnalysedPart analysed{
       task.part, false, bank.mean_gap_samples, static_cast<int>(bank.clicks.size()), analysis.built.figures,
       {}};
   std::string page;
   if (options.report == ReportSections::kWrite)
-    page = bank_page(analysed,
-                     report_section({analysis.recorded, analysis.start_s, analysis.chain.drilling, bank}));
+    page =
+        bank_page(analysed, report_section({analysis.recorded, analysis.start_s,
+                                            analysis.chain.joined.verdict, analysis.chain.drilling, bank}));
   save_part(analysed, bank, sha256, page, options);
   return analysed;
 }

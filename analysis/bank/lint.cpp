@@ -7,6 +7,7 @@
 #include <map>
 #include <tuple>
 
+#include "clicks/period.hpp"
 #include "numeric/quantile.hpp"
 
 namespace rigsound::analysis {
@@ -15,7 +16,6 @@ namespace {
 constexpr int kFewClicksFound = 15;
 constexpr double kLowSnrDb = -3;
 constexpr double kDecayShare = 0.5;  // of the time to -60 dB: a click cut this short stops audibly
-constexpr double kLowestRateHz = 5, kHighestRateHz = 80;
 constexpr double kLtasErrorDb = 2, kModulationErrorDb = 6;
 constexpr double kRateSlack = 0.05,
                  kLevelSlackDb = 2;  // what two recordings of the same thing may differ by
@@ -129,9 +129,9 @@ std::vector<std::string> lint_bank(const AnalysedPart& part, int wanted_clicks) 
   if (f.longest_click_s < kDecayShare * f.decay_s)
     warnings.push_back(fmt::format("clicks are shorter than their decay: {:.0f} ms of {:.0f} ms",
                                    1e3 * f.longest_click_s, 1e3 * f.decay_s));
-  if (f.rate_hz < kLowestRateHz || f.rate_hz > kHighestRateHz)
+  if (f.rate_hz < kDrillingRates.slowest_hz || f.rate_hz > kDrillingRates.fastest_hz)
     warnings.push_back(fmt::format("rate out of range: {:.1f} Hz, expected {} to {} Hz", f.rate_hz,
-                                   kLowestRateHz, kHighestRateHz));
+                                   kDrillingRates.slowest_hz, kDrillingRates.fastest_hz));
   if (f.segments_drilling < f.segments)
     warnings.push_back(fmt::format("drilling in {} of {} segments only", f.segments_drilling, f.segments));
   if (f.ltas_error_db > kLtasErrorDb)

@@ -1,10 +1,15 @@
 #include "chain/clip_analysis.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <random>
 
+#include "clicks/drilling_test.hpp"
 #include "clicks/envelope.hpp"
+#include "rigsound/analysis/rate.hpp"
 #include "rigsound/dsp/energy.hpp"
 #include "spectrum/stft.hpp"
 
@@ -46,16 +51,41 @@ void calibrate(const std::vector<float>& drilling, ClickTrain& train) {
   for (double& beta : train.beta) beta *= gain;
 }
 
+/// What speaks against the most likely window.
+std::string doubt(const ClipSplit& split) {
+  if (split.clicks.P.size() < kFewestDrillingClicks)
+    return fmt::format("{} clicks, expected {} or more", split.clicks.P.size(), kFewestDrillingClicks);
+  const auto best =
+      std::max_element(split.verdict.begin(), split.verdict.end(),
+                       [](const auto& a, const auto& b) { return a.probability < b.probability; });
+  return fmt::format("with a probability of {:.2f} at most, {}", best->probability, best->objections);
+}
+
+/// Clicks count from the first to the last window that drills; there is one.
+void keep_where_it_drills(const std::vector<VerdictWindow>& verdict, ClickTrain& train) {
+  const std::vector<Stretch> stretches = drilling_stretches(verdict);
+  const double begin = stretches.front().start_s * kAnalysisRate,
+               end = stretches.back().end_s * kAnalysisRate;
+  const auto first = std::lower_bound(train.P.begin(), train.P.end(), begin) - train.P.begin(),
+             last = std::lower_bound(train.P.begin(), train.P.end(), end) - train.P.begin();
+  train.P = {train.P.begin() + first, train.P.begin() + last};
+  train.beta = {train.beta.begin() + first, train.beta.begin() + last};
+}
+
 }  // namespace
 
-ChainResult analyse_clip(const std::vector<float>& mono, const ChainOptions& options) {
+ChainResult analyse_clip(const std::vector<float>& mono, const std::vector<Segment>& windows,
+                         const ChainOptions& options) {
   const NormalisedClip clip = normalise(mono, options.seed);
   const Dump dump(options.dump);
-  ClipSplit split = options.method == Method::kPaper ? split_by_paper(clip.x, options, dump)
-                                                     : split_by_click_nmf(clip.x, options, dump);
+  ClipSplit split = options.method == Method::kPaper ? split_by_paper(clip.x, windows, options, dump)
+                                                     : split_by_click_nmf(clip.x, windows, options, dump);
   ChainResult result;
-  result.reason = split.reason;
-  result.drilling_found = result.reason.empty();
+  result.drilling_found = drills(split.verdict) && split.clicks.P.size() >= kFewestDrillingClicks;
+  if (!result.drilling_found) result.reason = doubt(split);
+  for (const JudgedWindow& w : split.verdict)
+    result.verdict.push_back({static_cast<double>(w.window.begin) / kAnalysisRate,
+                              static_cast<double>(w.window.end) / kAnalysisRate, w.probability});
   if (result.drilling_found || options.labelled) result.clicks = std::move(split.clicks);
   const double square = static_cast<double>(clip.level) * clip.level;
   result.signal_psd = scaled(split.signal_psd, square);
@@ -65,6 +95,7 @@ ChainResult analyse_clip(const std::vector<float>& mono, const ChainOptions& opt
   result.drilling = std::move(split.drilling);
   for (float& sample : result.drilling) sample *= clip.level;
   calibrate(result.drilling, result.clicks);
+  if (result.drilling_found && !options.labelled) keep_where_it_drills(result.verdict, result.clicks);
   return result;
 }
 

@@ -21,7 +21,8 @@ std::vector<float> without(const std::vector<float>& x, const std::vector<float>
 
 }  // namespace
 
-ClipSplit split_by_paper(const std::vector<float>& x, const ChainOptions& options, const Dump& dump) {
+ClipSplit split_by_paper(const std::vector<float>& x, const std::vector<Segment>& windows,
+                         const ChainOptions& options, const Dump& dump) {
   PaperNmfOptions nmf;
   nmf.seed = options.seed;
   ClipSplit split;
@@ -33,7 +34,7 @@ ClipSplit split_by_paper(const std::vector<float>& x, const ChainOptions& option
   split.clicks = paper_clicks(y);
   dump.train("paper", split.clicks);
   // Whether there is a drill at all the paper does not test: both methods use the same verdict.
-  split.reason = split_by_click_nmf(x, options, Dump({})).reason;
+  split.verdict = split_by_click_nmf(x, windows, options, Dump({})).verdict;
   split.signal_psd = mean_power(split.drilling);
   split.noise_psd = mean_power(without(x, split.drilling));
   return split;

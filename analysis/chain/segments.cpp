@@ -116,13 +116,39 @@ void accumulate(const std::vector<double>& psd, double weight, std::vector<doubl
   for (size_t bin = 0; bin < psd.size(); ++bin) mean[bin] += weight * psd[bin];
 }
 
+std::vector<VerdictWindow> join_verdicts(const std::vector<Segment>& segments,
+                                         const std::vector<ChainResult>& results) {
+  std::vector<VerdictWindow> verdict;
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const auto moved = [&](double s) {
+      return static_cast<double>(segments[k].begin + std::lround(s * kAnalysisRate)) / kAnalysisRate;
+    };
+    for (const VerdictWindow& w : results[k].verdict)
+      verdict.push_back({moved(w.start_s), moved(w.end_s), w.probability});
+  }
+  return verdict;
+}
+
+double highest_probability(const ChainResult& result) {
+  double highest = 0;
+  for (const VerdictWindow& w : result.verdict) highest = std::max(highest, w.probability);
+  return highest;
+}
+
+const ChainResult& most_likely(const std::vector<ChainResult>& results) {
+  return *std::max_element(results.begin(), results.end(), [](const ChainResult& a, const ChainResult& b) {
+    return highest_probability(a) < highest_probability(b);
+  });
+}
+
 /// All of a result but its clicks.
 ChainResult join_sound(const std::vector<Segment>& segments, const std::vector<ChainResult>& results) {
   ChainResult joined;
   joined.drilling_found =
       std::any_of(results.begin(), results.end(), [](const auto& r) { return r.drilling_found; });
-  const auto sure = std::find_if(results.begin(), results.end(), [](const auto& r) { return r.reason.empty(); });
-  if (sure == results.end()) joined.reason = results.front().reason;
+  joined.verdict = join_verdicts(segments, results);
+  if (std::none_of(results.begin(), results.end(), [](const auto& r) { return r.reason.empty(); }))
+    joined.reason = most_likely(results).reason;
   joined.drilling = join_drilling(segments, results);
   long total = 0;
   for (const Segment& segment : segments) total += segment.end - segment.begin;
@@ -149,7 +175,8 @@ std::vector<Segment> plan_segments(long length) {
 }
 
 void trust_the_label(std::vector<ChainResult>& results) {
-  const bool sure = std::any_of(results.begin(), results.end(), [](const auto& r) { return r.drilling_found; });
+  const bool sure =
+      std::any_of(results.begin(), results.end(), [](const auto& r) { return r.drilling_found; });
   for (ChainResult& r : results) {
     if (!sure) r.drilling_found = r.clicks.P.size() >= kFewestDrillingClicks;
     if (!r.drilling_found) r.clicks = {};

@@ -17,7 +17,7 @@ std::vector<Segment> plan_segments(long length);
 
 constexpr long kSegmentOverlap = 24000;  ///< samples, half a second
 
-/// The verdict on a recording from those on its segments (same order): it drills where one of them does.
+/// The verdict on a recording from those on its segments (same order): it drills where a window of one does.
 /// Sound is crossfaded over the overlaps. In an overlap both segments know the clicks: the left one's count
 /// up to a click that both found, the right one's from there on, so none is lost or counted twice. Envelope:
 /// the median over the segments with drilling. Thread: OFF.

@@ -54,6 +54,14 @@ std::vector<int> peaks(const Eigen::ArrayXd& z, double height, int distance) {
   return kept;
 }
 
+Candidates candidates_between(const Candidates& candidates, long first, long last) {
+  Candidates inside;
+  inside.z = candidates.z.segment(first, last - first);
+  for (const int block : candidates.block)
+    if (block >= first && block < last) inside.block.push_back(block - static_cast<int>(first));
+  return inside;
+}
+
 Candidates find_candidates(const Eigen::ArrayXd& y) {
   Eigen::ArrayXd power = block_power(y, kCandidateBlock);
   power += kPowerFloor * power.mean();

@@ -25,6 +25,9 @@ double step_statistic(const Eigen::ArrayXd& cumulative, long t, long forward, lo
 /// 1 ms apart. Thread: OFF.
 Candidates find_candidates(const Eigen::ArrayXd& y);
 
+/// Those of blocks [first, last), counted from `first` on. Thread: OFF.
+Candidates candidates_between(const Candidates& candidates, long first, long last);
+
 /// Local maxima of `z` of at least `height`, `distance` apart: of two closer ones the lower goes. Thread:
 /// OFF.
 std::vector<int> peaks(const Eigen::ArrayXd& z, double height, int distance);

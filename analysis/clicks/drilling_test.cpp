@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "clicks/click_fit.hpp"
 #include "clicks/gaps.hpp"
 #include "numeric/quantile.hpp"
 #include "rigsound/analysis/rate.hpp"
@@ -17,14 +18,15 @@ namespace {
 
 constexpr double kToldFrom = 0.25;     // of the sum: figures that bear on it
 constexpr double kUnexplained = 0.01;  // divergence over that of noise: less leaves nothing to explain
-constexpr RateRange kPulses{100, 400};
+constexpr RateRange kPulses{130, 400};
 
-/// What one figure says against drilling: 0 where nine drills in ten are or better, 1 where the figure alone
-/// is reason enough.
+/// What one figure says against drilling: 0 where nine drills in ten are or better, 1 where it alone is much.
 struct Objection {
   double weight;
   std::string text;
 };
+
+using Objections = std::array<Objection, kObjections>;
 
 double square_above_zero(double x) { return x > 0 ? x * x : 0; }
 
@@ -41,7 +43,7 @@ double by_ratio(double value, double usual, double limit) {
 // backgrounds, 0.67 and 1.3 of the rate, -6 dB to clean), of recorded drills and of the simulated situations,
 // against 607 of music, speech, rotary drills, drum machines, engines, noises and the backgrounds of ids
 // 100-131.
-std::array<Objection, 9> objections(const DrillingEvidence& e) {
+Objections objections(const DrillingEvidence& e) {
   const double rate = kAnalysisRate / e.clicks.mean_gap_samples;
   const double attack_ms = 1000 * e.clicks.envelope.attack_samples / kAnalysisRate;
   // Long in itself, unless it rises steeply, and long for its period.
@@ -56,7 +58,7 @@ std::array<Objection, 9> objections(const DrillingEvidence& e) {
       {by_ratio(rate, 12, 6.8), fmt::format("{:.1f} clicks a second are slow", rate)},
       {swell, fmt::format("it swells in {:.1f} ms instead of striking", attack_ms)},
       {on_a_scale(surplus, 1, 0.3), fmt::format("its clicks are {:.1f} above chance", surplus)},
-      {on_a_scale(pulses, 0.05, 1), "it pulses faster than 100 Hz, like a voice or a tone"},
+      {on_a_scale(pulses, 0.05, 0.6), "it pulses faster than 130 Hz, like a voice or a tone"},
       {by_ratio(e.likeness.dispersion, 0.215, 0.32), "its clicks do not resemble one another"},
       {on_a_scale(e.likeness.rise, 0.45, -0.3), "its bands do not rise together"},
       {on_a_scale(e.likeness.rhythm, 0.1, 0.4), "its clicks follow a rhythm"},
@@ -90,13 +92,28 @@ Eigen::ArrayXf frames_near_clicks(const ClickTrain& train, int frames) {
   return near;
 }
 
-std::string no_drilling_reason(const DrillingEvidence& e, double tolerance) {
-  if (e.clicks.P.size() < kFewestDrillingClicks)
-    return fmt::format("{} clicks, expected {} or more", e.clicks.P.size(), kFewestDrillingClicks);
-  auto against = objections(e);
+std::array<double, kObjections> objection_weights(const DrillingEvidence& e) {
+  std::array<double, kObjections> weights{};
+  const Objections against = objections(e);
+  std::transform(against.begin(), against.end(), weights.begin(),
+                 [](const Objection& o) { return std::min(o.weight, kMostWeight); });
+  return weights;
+}
+
+double drilling_probability(const DrillingEvidence& e) {
+  if (e.clicks.P.size() < kFewestFitted) return 0;
+  const auto weights = objection_weights(e);
+  const double against = std::inner_product(weights.begin(), weights.end(), kCoefficients.begin(), 0.0);
+  return 1 / (1 + std::exp(against - kBias));
+}
+
+std::string objections_to(const DrillingEvidence& e) {
+  if (e.clicks.P.size() < kFewestFitted)
+    return fmt::format("{} clicks, expected {} or more", e.clicks.P.size(), kFewestFitted);
+  Objections against = objections(e);
+  for (std::size_t i = 0; i < kObjections; ++i) against[i].weight *= kCoefficients[i];
   const double sum = std::accumulate(against.begin(), against.end(), 0.0,
                                      [](double total, const Objection& o) { return total + o.weight; });
-  if (sum <= tolerance) return {};
   std::stable_sort(against.begin(), against.end(),
                    [](const Objection& a, const Objection& b) { return a.weight > b.weight; });
   std::string reason;

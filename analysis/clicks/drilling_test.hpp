@@ -2,9 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <string>
 
 #include "clicks/click_likeness.hpp"
+#include "clicks/drilling_model.hpp"
 #include "clicks/selection.hpp"
 #include "rigsound/analysis/click_train.hpp"
 #include "spectrum/power_spectrogram.hpp"
@@ -25,17 +27,24 @@ struct DrillingEvidence {
   double with_clicks = 0;       ///< divergence per cell with the click train's words
 };
 
-/// Why this is no drilling, or nothing when it may be. Every figure has a weight against drilling; their sum
-/// must stay up to `tolerance` (1: one figure alone can exceed it). Noise has clicks no better than chance
-/// finds; a swell (a rotary drill, an idling diesel) has no sharp rise; a voice or an instrument pulses
-/// faster than a drill or is not explained by one click repeated; the notes and drums of music differ from
-/// one another, follow bars or keep no period. Thread: OFF.
-std::string no_drilling_reason(const DrillingEvidence& evidence, double tolerance);
+/// The probability that it is drilling: logistic in what its figures say against it. 0 for fewer than
+/// kFewestFitted clicks. Noise has clicks no better than chance finds; a swell (a rotary drill, an idling
+/// diesel) has no sharp rise; a voice or an instrument pulses faster than a drill or is not explained by one
+/// click repeated; the notes and drums of music differ from one another, follow bars or keep no period.
+/// Thread: OFF.
+double drilling_probability(const DrillingEvidence& evidence);
+
+/// What each of its figures says against drilling: 0 where nine drills in ten are or better, 1 where it alone
+/// is much. In the order of kCoefficients. Thread: OFF.
+std::array<double, kObjections> objection_weights(const DrillingEvidence& evidence);
+
+/// The figures that bear on it, in words. Thread: OFF.
+std::string objections_to(const DrillingEvidence& evidence);
 
 /// DrillingEvidence::irregularity of at least three clicks. Thread: OFF.
 double irregularity(const ClickTrain& clicks);
 
-/// Total of the best chain at 100 to 400 Hz. Thread: OFF.
+/// Total of the best chain at 130 to 400 Hz. Thread: OFF.
 double fast_total(const Candidates& candidates);
 
 /// 1 in the frames of kChainStft from half a period before a click to two periods after, 0 elsewhere: pauses

@@ -10,7 +10,7 @@ struct RateRange {
   double slowest_hz = 0, fastest_hz = 0;
 };
 
-constexpr RateRange kDrillingRates{6, 90};
+constexpr RateRange kDrillingRates{3, 120};
 
 /// Periods (in blocks of `block_rate` Hz) worth trying: the four highest peaks of the unbiased
 /// autocorrelation of `activity`, averaged over +-6 % of the lag so that jittered gaps merge, each also

@@ -8,7 +8,8 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr int kBars[] = {3, 4, 6, 8};
+constexpr int kShortestBar = 3, kLongestBar = 12;
+constexpr int kRepeats = 3;  // of a bar, that it may count
 constexpr int kRefinements = 5;
 
 /// The step of the best-fitting grid that each onset falls on.
@@ -53,8 +54,8 @@ double rhythm(const Eigen::ArrayXXd& level, const std::vector<long>& onset) {
   double best = 0;
   if (onset.size() < 3) return best;
   const std::vector<long> step = steps(onset);
-  for (const int bar : kBars)
-    if (level.cols() >= 2 * bar + 2) best = std::max(best, explained_by(bar, step, level));
+  for (int bar = kShortestBar; bar <= kLongestBar && level.cols() >= kRepeats * bar; ++bar)
+    best = std::max(best, explained_by(bar, step, level));
   return best;
 }
 

@@ -13,8 +13,10 @@ namespace {
 
 constexpr double kBlockRate = kAnalysisRate / kCandidateBlock;
 constexpr double kMissCost = 2, kDoubleCost = 4, kPauseCost = 6 * kMissCost;
-constexpr double kLongestGap = 4.5;      // periods
-constexpr double kReferenceRate_hz = 5;  // the k-th highest candidate sets the scale, k = 5 a second
+constexpr double kLongestGap = 4.5;  // periods
+// The k-th highest candidate sets the scale, k = 5 a second; where the 2.5 highest a second stand far above
+// it, impacts are slower than that, and it is noise.
+constexpr double kReferenceRate_hz = 5, kSlowReferenceRate_hz = 2.5, kFarAbove = 1.6;
 constexpr double kScoreAtReference = 8.4, kScoreCap = 12;
 // Not all of what chance gives: it has many candidates a long period to choose from, of which impacts that
 // are there leave it few, and slow drills would be found at half their period.
@@ -68,8 +70,12 @@ double reference_statistic(const Candidates& candidates) {
   for (const int block : candidates.block) z.push_back(candidates.z(block));
   std::sort(z.begin(), z.end(), std::greater<>());
   const double seconds = static_cast<double>(candidates.z.size()) / kBlockRate;
-  const long k = std::max(2L, static_cast<long>(kReferenceRate_hz * seconds));
-  return z[std::min(static_cast<size_t>(k), z.size()) - 1];
+  const auto highest = [&](double rate_hz) {
+    const long k = std::max(2L, static_cast<long>(rate_hz * seconds));
+    return z[std::min(static_cast<size_t>(k), z.size()) - 1];
+  };
+  const double usual = highest(kReferenceRate_hz), slow = highest(kSlowReferenceRate_hz);
+  return slow > kFarAbove * usual ? slow : usual;
 }
 
 /// `count` random times within `length`, ascending, for every draw; always the same.
@@ -124,6 +130,19 @@ Chain best_chain(const std::vector<int>& time, const std::vector<double>& score,
   for (int i = best; i >= 0; i = steps[i].previous) chain.chosen.push_back(i);
   std::reverse(chain.chosen.begin(), chain.chosen.end());
   return chain;
+}
+
+Selection select_at_period(const Candidates& candidates, double T_0) {
+  Selection selection;
+  selection.mean_gap_blocks = T_0;
+  if (candidates.block.empty()) return selection;
+  const std::vector<double> score = scores(candidates, reference_statistic(candidates));
+  const Chain chain = best_chain(candidates.block, score, T_0, candidates.z.size());
+  selection.total = chain.total;
+  selection.surplus = chain.total - total_by_chance(random_times(score.size(), candidates.z.size()), score,
+                                                    T_0, candidates.z.size());
+  selection.block = blocks_of(candidates, chain);
+  return selection;
 }
 
 Selection select_clicks(const Candidates& candidates, const RateRange& range) {

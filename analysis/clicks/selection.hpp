@@ -34,4 +34,7 @@ struct Selection {
 /// Thread: OFF.
 Selection select_clicks(const Candidates& candidates, const RateRange& range);
 
+/// The chain of one period, blocks. Thread: OFF.
+Selection select_at_period(const Candidates& candidates, double T_0);
+
 }  // namespace rigsound::analysis

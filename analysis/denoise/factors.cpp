@@ -62,12 +62,11 @@ Grid itakura_saito(const PowerSpectrogram& power, const Factors& factors) {
   return ratio - ratio.log() - 1;
 }
 
-double mean_divergence(const PowerSpectrogram& power, const Factors& factors, const Eigen::ArrayXf& weight) {
+double mean_divergence(const PowerSpectrogram& power, const Grid& divergence, const Eigen::ArrayXf& weight) {
   const Eigen::ArrayXf mean = power.P.rowwise().mean();
   const Eigen::ArrayXd audible = (mean > kAudible * mean.maxCoeff()).cast<double>();
   const Eigen::ArrayXd by_bin =
-      (itakura_saito(power, factors).matrix() * weight.matrix()).cast<double>().array() /
-      std::max(1.0f, weight.sum());
+      (divergence.matrix() * weight.matrix()).cast<double>().array() / std::max(1.0f, weight.sum());
   return (by_bin * audible).sum() / audible.sum();
 }
 

@@ -34,8 +34,9 @@ std::string read_at(std::ifstream& file, std::int64_t at, std::int64_t count) {
 
 bool is_chunk_head(const std::string& head) {
   return static_cast<std::int64_t>(head.size()) == kChunkHead &&
-         std::all_of(head.begin(), head.begin() + 4,
-                     [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == ' ' || c == '_'; });
+         std::all_of(head.begin(), head.begin() + 4, [](char c) {
+           return std::isalnum(static_cast<unsigned char>(c)) || c == ' ' || c == '_';
+         });
 }
 
 /// Where the chunk behind one of odd length begins: behind the pad byte, or where that is missing.

@@ -10,9 +10,9 @@ namespace rigsound::analysis {
 
 /// A header that libsndfile understands, and the bytes of the file that belong behind it.
 struct WaveRepair {
-  std::string header;             ///< RIFF, fmt and data chunk, up to the first sample
+  std::string header;               ///< RIFF, fmt and data chunk, up to the first sample
   std::int64_t begin = 0, end = 0;  ///< the samples, bytes of the file
-  std::string fault;              ///< what was wrong, for people
+  std::string fault;                ///< what was wrong, for people
 };
 
 /// What reads a WAV whose data chunk has size 0 though samples follow (streamed, or the recorder lost power),

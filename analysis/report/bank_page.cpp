@@ -35,7 +35,8 @@ std::string bank_words(const AnalysedPart& p) {
   if (l.rpm > 0) html += fmt::format(", {:.0f} r/min", l.rpm);
   html += fmt::format(
       " · {} Hz · {} clicks found, {} in the bank · decay to −60 dB {:.0f} ms · level {} dB · SNR {} dB · "
-      "spectrum off by {} dB from its target, by {} dB from the denoised recording, modulation by {} dB</p>\n",
+      "spectrum off by {} dB from its target, by {} dB from the denoised recording, modulation by {} "
+      "dB</p>\n",
       number_word(p.figures.rate_hz, 2), p.figures.clicks_found, p.clicks, 1e3 * p.figures.decay_s,
       number_word(p.figures.level_db, 1), number_word(p.figures.snr_db, 1),
       number_word(p.figures.ltas_error_db, 2), number_word(p.figures.ltas_denoised_error_db, 2),

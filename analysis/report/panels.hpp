@@ -32,6 +32,8 @@ struct ShownSegment {
 /// On one axis of time, as long as the sheet allows: spectrograms of the recording, of what was taken away
 /// and of what is left; below them the waveform before and after with a line at every detected click.
 std::string time_panels(const ShownSegment& segment, const Sheet& sheet);
+/// How likely every window of the part is drilling.
+std::string verdict_panel(const std::vector<VerdictWindow>& verdict, double start_s, const Sheet& sheet);
 /// Mean level after a click, as recorded and as whitened for the fit, against the fitted envelope.
 std::string envelope_panel(const ChainResult& segment);
 /// Every click of the bank.

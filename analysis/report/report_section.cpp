@@ -88,7 +88,10 @@ std::string report_section(const ReportedPart& part) {
   const ClickBank& bank = part.bank;
   const std::vector<float> synthesis = resynthesise(bank, kSynthesisSeconds, kSynthesisSeed).sound;
   return player({shown.recorded, shown.chain.drilling, synthesis, shown.start_s}) + bank_figures(bank) +
-         both_rows("one", [&](const Sheet& sheet) { return time_panels(shown, sheet); }) +
+         both_rows("one",
+                   [&](const Sheet& sheet) {
+                     return time_panels(shown, sheet) + verdict_panel(part.verdict, part.start_s, sheet);
+                   }) +
          row("three",
              envelope_panel(shown.chain) + gap_panel(drilling, bank) + amplitude_panel(drilling, bank)) +
          both_rows("two",

@@ -11,8 +11,9 @@ namespace rigsound::analysis {
 
 /// A part of a recording and the bank that was made of it.
 struct ReportedPart {
-  const std::vector<float>& recorded;  ///< kAnalysisRate
-  double start_s = 0;                  ///< of the part in its recording
+  const std::vector<float>& recorded;         ///< kAnalysisRate
+  double start_s = 0;                         ///< of the part in its recording
+  const std::vector<VerdictWindow>& verdict;  ///< times from the part's start on
   const std::vector<DrillingSegment>& drilling;
   const ClickBank& bank;
 };

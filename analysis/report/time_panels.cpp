@@ -13,7 +13,7 @@ namespace {
 using chart::Axis, chart::frequency_axis, chart::linear_axis, chart::Outline, chart::outline, chart::Role,
     chart::SvgPlot;
 
-constexpr double kSpectrogramHeight = 150, kWaveformHeight = 200;
+constexpr double kSpectrogramHeight = 150, kWaveformHeight = 200, kVerdictHeight = 110;
 constexpr double kBarRoom = 66;  // right of the plane, for the colours
 
 std::vector<float> beginning(const std::vector<float>& x, double seconds) {
@@ -67,6 +67,23 @@ std::string time_panels(const ShownSegment& segment, const Sheet& sheet) {
          spectrogram("Background, taken away", time, background, reference, sheet) +
          spectrogram("Drilling, what is left", time, after, reference, sheet) +
          waveform(labelled, segment, before, after, sheet);
+}
+
+std::string verdict_panel(const std::vector<VerdictWindow>& verdict, double start_s, const Sheet& sheet) {
+  if (verdict.empty()) return {};
+  const Axis time =
+      linear_axis("time in the recording, s", start_s, start_s + verdict.back().end_s, sheet.ticks);
+  SvgPlot plot("Probability of drilling", time, linear_axis("", 0, 1, 2),
+               {sheet.full, kVerdictHeight, kBarRoom});
+  std::vector<double> middle, probability;
+  for (const VerdictWindow& window : verdict) {
+    middle.push_back(start_s + (window.start_s + window.end_s) / 2);
+    probability.push_back(window.probability);
+  }
+  plot->horizontal(kDrillingProbability, {Role::kGrey, 1});
+  plot->line(middle, probability, {Role::kFirst, 1.5});
+  plot->legend("of 2 s each", Role::kFirst);
+  return plot.svg();
 }
 
 }  // namespace rigsound::analysis

@@ -20,4 +20,12 @@ PowerSpectrogram power_spectrogram(const Spectrogram& X) {
   return power;
 }
 
+PowerSpectrogram frames_between(const PowerSpectrogram& power, int first, int last) {
+  PowerSpectrogram part;
+  part.frames = last - first;
+  part.P = power.P.middleCols(first, part.frames);
+  part.scale = power.scale;
+  return part;
+}
+
 }  // namespace rigsound::analysis

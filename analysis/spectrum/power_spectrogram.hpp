@@ -19,6 +19,9 @@ struct PowerSpectrogram {
 /// Thread: OFF.
 PowerSpectrogram power_spectrogram(const Spectrogram& X);
 
+/// Frames [first, last) of it, in the same units. Thread: OFF.
+PowerSpectrogram frames_between(const PowerSpectrogram& power, int first, int last);
+
 /// What Gaussian noise of exactly the modelled power leaves of its Itakura-Saito divergence on average, per
 /// cell: Euler's constant.
 constexpr double kNoiseDivergence = 0.5772156649;

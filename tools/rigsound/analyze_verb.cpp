@@ -23,8 +23,7 @@ using namespace analysis;
 
 struct AnalyzeArguments {
   std::vector<std::string> inputs;
-  std::string situation, method = "click-nmf", shard = "1/1", report, sound_set, labels, rig,
-              bus_log;
+  std::string situation, method = "click-nmf", shard = "1/1", report, sound_set, labels, rig, bus_log;
   bool no_denoise = false, json = false;
   AnalyzerOptions options;
 };

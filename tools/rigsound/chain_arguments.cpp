@@ -61,8 +61,12 @@ ChainResult run_chain(const Recording& recording, const ChainArguments& argument
   return result;
 }
 
-void report_nothing_found(const ChainArguments& arguments, const ChainResult& result) {
-  fmt::print(stderr, "{}: no drilling found: {}\n", arguments.input, result.reason);
+void report_where(const ChainArguments& arguments, const ChainResult& result) {
+  const std::string stretches = stretches_text(result.verdict);
+  if (!result.drilling_found)
+    fmt::print(stderr, "{}: no drilling found: {}\n", arguments.input, result.reason);
+  else if (!stretches.empty())
+    fmt::print(stderr, "{}: {}\n", arguments.input, stretches);
 }
 
 }  // namespace rigsound::tools

@@ -29,7 +29,7 @@ enum class Denoising { kOn, kOff };
 analysis::ChainResult run_chain(const analysis::Recording& recording, const ChainArguments& arguments,
                                 Denoising denoising);
 
-/// The line on stderr for a recording without drilling.
-void report_nothing_found(const ChainArguments& arguments, const analysis::ChainResult& result);
+/// The line on stderr that says where the drilling is, unless everywhere, or why there is none.
+void report_where(const ChainArguments& arguments, const analysis::ChainResult& result);
 
 }  // namespace rigsound::tools

@@ -21,6 +21,22 @@ FigureRow click_row(double onset_samples, double amplitude) {
       .add("amplitude", amplitude, "{:.6g}");
 }
 
+std::vector<FigureRow> stretch_rows(const analysis::ChainResult& result) {
+  std::vector<FigureRow> rows;
+  if (!result.drilling_found) return rows;
+  for (const analysis::Stretch& s : analysis::drilling_stretches(result.verdict))
+    rows.push_back(FigureRow().add("start_s", s.start_s).add("end_s", s.end_s));
+  return rows;
+}
+
+std::vector<FigureRow> window_rows(const analysis::ChainResult& result) {
+  std::vector<FigureRow> rows;
+  for (const analysis::VerdictWindow& w : result.verdict)
+    rows.push_back(
+        FigureRow().add("start_s", w.start_s).add("end_s", w.end_s).add("probability", w.probability));
+  return rows;
+}
+
 void run(const ClicksOptions& options) {
   const analysis::Recording recording = read_input(options.chain);
   const analysis::ChainResult result =
@@ -32,13 +48,15 @@ void run(const ClicksOptions& options) {
     print_document({{"recording", options.chain.input},
                     {"drilling_found", result.drilling_found},
                     {"reason", result.reason},
+                    {"drilling", json_list(stretch_rows(result))},
+                    {"windows", json_list(window_rows(result))},
                     {"clicks", json_list(rows)}});
   } else {
     std::string csv = click_row(0, 0).csv_head();
     for (const FigureRow& row : rows) csv += row.csv();
     std::fputs(csv.c_str(), stdout);
   }
-  if (!result.drilling_found) report_nothing_found(options.chain, result);
+  report_where(options.chain, result);
 }
 
 }  // namespace
@@ -53,6 +71,9 @@ void add_clicks(cli::Verb& program) {
   verb.details(
       "Writes CSV to stdout: time_s (onset, seconds of the recording), amplitude (full scale 1), sorted by "
       "time. "
+      "Every window of 2 s gets a probability that it is drilling (--json prints them, one a second); clicks "
+      "are "
+      "those of stretches above 0.5, which are told on stderr when they are not all of it. "
       "A recording without drilling gives the header alone, the reason on stderr, and exit code 0: it is no "
       "error.");
   verb.example("rigsound clicks rock.wav > clicks.csv");

@@ -44,7 +44,7 @@ void run(const DenoiseOptions& options) {
     noise.commit();
   }
   output.commit();
-  if (!result.drilling_found) report_nothing_found(options.chain, result);
+  report_where(options.chain, result);
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ struct BankFigures {
   double snr_db = 0;    ///< drilling against background; +infinity when taken as clean
   double decay_s = 0;   ///< time in which the envelope falls by 60 dB
   double longest_click_s = 0;
-  double ltas_error_db = 0;  ///< third-octave levels, resynthesised against what the bank aims at: recorded, with
-                             ///< what the denoiser took from the drilling given back
+  double ltas_error_db = 0;  ///< third-octave levels, resynthesised against what the bank aims at: recorded,
+                             ///< with what the denoiser took from the drilling given back
   double ltas_denoised_error_db = 0;  ///< the same against the denoised recording as it is
   double modulation_error_db = 0;
   std::string doubt;  ///< what speaks against the label's word that it drills; empty: nothing

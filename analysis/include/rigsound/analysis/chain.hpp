@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rigsound/analysis/click_train.hpp"
+#include "rigsound/analysis/recording.hpp"
 
 namespace rigsound::analysis {
 
@@ -23,14 +24,24 @@ struct ChainOptions {
       progress;  ///< after each segment, from any of the threads but one at a time
 };
 
+/// How likely a stretch of a recording holds percussive drilling.
+struct VerdictWindow {
+  double start_s = 0, end_s = 0;
+  double probability = 0;
+};
+
+constexpr double kVerdictWindow_s = 2, kVerdictHop_s = 1;
+constexpr double kDrillingProbability = 0.5;  ///< from here on a window counts as drilling
+
 struct ChainResult {
   bool drilling_found = false;
-  std::string reason;  ///< why not, when nothing was found; of a labelled recording the doubt
-  ClickTrain clicks;
-  std::vector<float> drilling;     ///< the recording without its background, same length and level
-  std::vector<double> signal_psd;  ///< mean modelled power of the drilling, per STFT bin (257 bins)
-  std::vector<double> noise_psd;   ///< the same for the background
-  std::vector<double> output_psd;  ///< mean power of the denoised output, same bins
+  std::string reason;                  ///< why not, when nothing was found; of a labelled recording the doubt
+  std::vector<VerdictWindow> verdict;  ///< over time
+  ClickTrain clicks;                   ///< from the first to the last window that drills
+  std::vector<float> drilling;         ///< the recording without its background, same length and level
+  std::vector<double> signal_psd;      ///< mean modelled power of the drilling, per STFT bin (257 bins)
+  std::vector<double> noise_psd;       ///< the same for the background
+  std::vector<double> output_psd;      ///< mean power of the denoised output, same bins
 };
 
 /// A segment in which drilling was found, analysed for itself: with its own envelope, powers and whitening.
@@ -40,14 +51,19 @@ struct DrillingSegment {
   ChainResult result;               ///< times from `begin` on, overlaps with the neighbours included
 };
 
-/// A recording as a whole and in its segments. There is drilling when one segment holds some; the clicks of
-/// `joined` are those that count in `drilling`. Of a labelled recording in which no segment passes for
-/// drilling, those with enough clicks do.
+/// A recording as a whole and in its segments. The clicks of `joined` are those that count in `drilling`: of
+/// windows that drill. Of a labelled recording in which none does, all segments with enough clicks count.
 struct SegmentedResult {
   ChainResult joined;
   int segments = 0;                       ///< with and without drilling
   std::vector<DrillingSegment> drilling;  ///< in the order of time
 };
+
+/// Stretches of drilling; neighbouring windows that drill are one. Thread: OFF.
+std::vector<Stretch> drilling_stretches(const std::vector<VerdictWindow>& verdict);
+
+/// "drilling in 2.0-6.0, 9.0-12.0 of 20.0 s"; empty where it is everywhere or nowhere. Thread: OFF.
+std::string stretches_text(const std::vector<VerdictWindow>& verdict);
 
 /// Runs denoising and click detection on `mono` (48 kHz, full scale 1). More than 4 s are analysed in
 /// overlapping segments of 2 to 4 s and joined. Deterministic. Errors: DeviceError when the dump cannot be

@@ -41,7 +41,7 @@ TEST_CASE("lint warns about what it should, and about nothing else") {
   CHECK(warns(with([](AnalysedPart& p) { p.clicks = 6; }), "too few clicks"));
   CHECK(warns(with([](AnalysedPart& p) { p.figures.snr_db = -5; }), "low SNR"));
   CHECK(warns(with([](AnalysedPart& p) { p.figures.longest_click_s = 0.01; }), "shorter than their decay"));
-  CHECK(warns(with([](AnalysedPart& p) { p.figures.rate_hz = 95; }), "rate out of range"));
+  CHECK(warns(with([](AnalysedPart& p) { p.figures.rate_hz = 125; }), "rate out of range"));
   CHECK(warns(with([](AnalysedPart& p) { p.figures.segments = 3; }), "1 of 3 segments"));
   CHECK(warns(with([](AnalysedPart& p) { p.figures.doubt = "it swells"; }), "may be no drilling: it swells"));
 }

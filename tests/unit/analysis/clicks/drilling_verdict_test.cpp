@@ -3,10 +3,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
 
+#include "rigsound/analysis/chain.hpp"
 #include "spectrum/power_spectrogram.hpp"
 
 using namespace rigsound::analysis;
@@ -29,13 +31,25 @@ DrillingEvidence drill() {
   return e;
 }
 
-std::string reason_after(const std::function<void(DrillingEvidence&)>& change) {
+DrillingEvidence after(const std::function<void(DrillingEvidence&)>& change) {
   DrillingEvidence e = drill();
   change(e);
-  return no_drilling_reason(e, 1);
+  return e;
 }
 
-bool refused(const std::function<void(DrillingEvidence&)>& change) { return !reason_after(change).empty(); }
+double probability(const std::function<void(DrillingEvidence&)>& change) {
+  return drilling_probability(after(change));
+}
+
+bool refused(const std::function<void(DrillingEvidence&)>& change) {
+  return probability(change) < kDrillingProbability;
+}
+
+/// What is said against it, which must be refused.
+std::string reason_after(const std::function<void(DrillingEvidence&)>& change) {
+  CHECK(refused(change));
+  return objections_to(after(change));
+}
 
 }  // namespace
 
@@ -46,15 +60,13 @@ TEST_CASE("a drill is a drill, from 8 to 80 blows a second") {
 }
 
 TEST_CASE("each figure alone is reason enough when it is far out") {
-  CHECK(reason_after([](DrillingEvidence& e) { e.clicks.P.resize(5); }) == "5 clicks, expected 6 or more");
-  CHECK(reason_after([](DrillingEvidence& e) { e.clicks.mean_gap_samples = 48000 / 6.0; }) ==
-        "6.0 clicks a second are slow");
+  CHECK(reason_after([](DrillingEvidence& e) { e.clicks.P.resize(3); }) == "3 clicks, expected 4 or more");
   CHECK(reason_after([](DrillingEvidence& e) {
           e.clicks.envelope.attack_samples = 480, e.likeness.rise = 1;
         }) == "it swells in 10.0 ms instead of striking");
   CHECK(reason_after([](DrillingEvidence& e) { e.surplus = 6; }) == "its clicks are 0.1 above chance");
   CHECK(reason_after([](DrillingEvidence& e) { e.fast_total = 180; }) ==
-        "it pulses faster than 100 Hz, like a voice or a tone");
+        "it pulses faster than 130 Hz, like a voice or a tone");
   CHECK(reason_after([](DrillingEvidence& e) { e.likeness.dispersion = 0.5; }) ==
         "its clicks do not resemble one another");
   CHECK(reason_after([](DrillingEvidence& e) { e.likeness.rise = -0.5; }) ==
@@ -64,6 +76,13 @@ TEST_CASE("each figure alone is reason enough when it is far out") {
         "its gaps differ by 50 %");
   CHECK(reason_after([](DrillingEvidence& e) { e.with_clicks = e.background_alone - 0.06; }) ==
         "a repeated click explains 20 % of its changes");
+}
+
+TEST_CASE("a slow breaker is a drill, if a less likely one") {
+  const auto slow = [](DrillingEvidence& e) { e.clicks.mean_gap_samples = 48000 / 3.4; };
+  CHECK(!refused(slow));
+  CHECK(probability(slow) < drilling_probability(drill()));
+  CHECK(objections_to(after(slow)) == "3.4 clicks a second are slow");
 }
 
 TEST_CASE("a steep rise or a long period excuses a long attack") {
@@ -76,16 +95,25 @@ TEST_CASE("a steep rise or a long period excuses a long attack") {
 TEST_CASE("objections add up, and the reason names those that count") {
   const auto alike = [](DrillingEvidence& e) { e.likeness.dispersion = 0.30; };
   const auto regular = [](DrillingEvidence& e) { e.irregularity = 0.29; };
-  CHECK(!refused(alike));
-  CHECK(!refused(regular));
-  CHECK(reason_after([&](DrillingEvidence& e) { alike(e), regular(e); }) ==
-        "its clicks do not resemble one another, its gaps differ by 34 %");
+  const auto both = [&](DrillingEvidence& e) { alike(e), regular(e); };
+  CHECK(probability(both) < probability(alike));
+  CHECK(probability(both) < probability(regular));
+  const std::string reason = objections_to(after(both));
+  CHECK(reason.find("its clicks do not resemble one another") != std::string::npos);
+  CHECK(reason.find("its gaps differ by 34 %") != std::string::npos);
 }
 
-TEST_CASE("a smaller tolerance asks for a clearer drill") {
-  DrillingEvidence e = drill();
-  CHECK(no_drilling_reason(e, 0.5).empty());
-  e.likeness.dispersion = 0.30;
-  CHECK(no_drilling_reason(e, 1).empty());
-  CHECK(no_drilling_reason(e, 0.5) == "its clicks do not resemble one another");
+TEST_CASE("the probability is logistic in the weights, and a figure far out says no more than kMostWeight") {
+  const DrillingEvidence e =
+      after([](DrillingEvidence& d) { d.likeness.rhythm = 0.2, d.likeness.rise = 0.3; });
+  double logit = kBias;
+  const auto weights = objection_weights(e);
+  for (std::size_t i = 0; i < kObjections; ++i) {
+    CHECK(weights[i] >= 0);
+    CHECK(kCoefficients[i] >= 0);
+    logit -= kCoefficients[i] * weights[i];
+  }
+  CHECK(drilling_probability(e) == doctest::Approx(1 / (1 + std::exp(-logit))));
+  const auto far = objection_weights(after([](DrillingEvidence& d) { d.likeness.rhythm = 5; }));
+  CHECK(*std::max_element(far.begin(), far.end()) == kMostWeight);
 }

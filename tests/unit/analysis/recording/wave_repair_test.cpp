@@ -73,8 +73,8 @@ TEST_CASE("samples that the header does not count are read to the end of the fil
 }
 
 TEST_CASE("a chunk of odd length may lack its pad byte, before the format or behind it, and that is said") {
-  for (const std::string& chunks : {format() + chunk("LIST", "INFOabc", 7) + data(),
-                                    chunk("LIST", "INFOabc", 7) + format() + data()}) {
+  for (const std::string& chunks :
+       {format() + chunk("LIST", "INFOabc", 7) + data(), chunk("LIST", "INFOabc", 7) + format() + data()}) {
     const Read unpadded = read(chunks);
     CHECK(unpadded.whole);
     CHECK(unpadded.fault == "its 'LIST' chunk of odd length lacks the pad byte, read without it");

@@ -1,0 +1,113 @@
+#include "chain/clip_verdict.hpp"
+
+#include <algorithm>
+
+#include "clicks/click_fit.hpp"
+#include "clicks/click_likeness.hpp"
+#include "clicks/drilling_test.hpp"
+#include "clicks/selection.hpp"
+#include "denoise/cs_nmf.hpp"
+#include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/rate.hpp"
+
+namespace rigsound::analysis {
+namespace {
+
+/// How well the clicks explain the powers, and how well a slow background alone does: divergences.
+struct Explained {
+  Grid with_clicks, background_alone;
+};
+
+ClickTrain clicks_in(const Segment& window, const ClickTrain& clicks) {
+  ClickTrain inside = clicks;
+  inside.P.clear(), inside.beta.clear();
+  for (std::size_t i = 0; i < clicks.P.size(); ++i) {
+    if (clicks.P[i] < window.begin || clicks.P[i] >= window.end) continue;
+    inside.P.push_back(static_cast<int>(clicks.P[i] - window.begin));
+    inside.beta.push_back(clicks.beta[i]);
+  }
+  return inside;
+}
+
+/// Of one window alone, as far as the clip holds it.
+DrillingEvidence evidence_in(const Segment& whole, const SearchedClip& clip, const Explained& explained) {
+  const Segment window{std::max(0L, whole.begin), std::min(clip.length, whole.end)};
+  DrillingEvidence e;
+  e.clicks = clicks_in(window, clip.clicks);
+  if (e.clicks.P.size() < kFewestFitted) return e;
+  const Candidates candidates =
+      candidates_between(clip.candidates, window.begin / kCandidateBlock, window.end / kCandidateBlock);
+  const Selection chain = select_at_period(candidates, e.clicks.mean_gap_samples / kCandidateBlock);
+  e.total = chain.total;
+  e.surplus = chain.surplus;
+  e.fast_total = fast_total(candidates);
+  e.irregularity = irregularity(e.clicks);
+  const int first = static_cast<int>(window.begin / kChainStft.hop),
+            last = std::min(static_cast<int>(window.end / kChainStft.hop) + 1, clip.power.frames);
+  const PowerSpectrogram power = frames_between(clip.power, first, last);
+  e.likeness = click_likeness(power, e.clicks);
+  const Eigen::ArrayXf near = frames_near_clicks(e.clicks, power.frames);
+  e.background_alone =
+      mean_divergence(power, explained.background_alone.middleCols(first, power.frames), near);
+  e.with_clicks = mean_divergence(power, explained.with_clicks.middleCols(first, power.frames), near);
+  return e;
+}
+
+constexpr char kEvidenceHeader[] =
+    "begin_s,end_s,probability,clicks,total,chance_surplus,fast_total,gap_irregularity,likeness,band_rise,"
+    "bar_rhythm,background_alone,with_clicks,rate,swell,surplus,pulses,dispersion,rise,rhythm,irregularity,"
+    "unexplained";
+
+/// Figures and, by their names, the weights against drilling that come of them.
+std::vector<double> evidence_row(const JudgedWindow& judged, const DrillingEvidence& e) {
+  std::vector<double> row = {static_cast<double>(judged.window.begin) / kAnalysisRate,
+                             static_cast<double>(judged.window.end) / kAnalysisRate,
+                             judged.probability,
+                             static_cast<double>(e.clicks.P.size()),
+                             e.total,
+                             e.surplus,
+                             e.fast_total,
+                             e.irregularity,
+                             e.likeness.dispersion,
+                             e.likeness.rise,
+                             e.likeness.rhythm,
+                             e.background_alone,
+                             e.with_clicks};
+  const auto weights = objection_weights(e);
+  row.insert(row.end(), weights.begin(), weights.end());
+  return row;
+}
+
+void dump_evidence(const Dump& dump, const std::string& pass, const std::vector<std::vector<double>>& rows) {
+  Eigen::ArrayXXd table(static_cast<long>(rows.size()), static_cast<long>(rows.front().size()));
+  for (long i = 0; i < table.rows(); ++i)
+    table.row(i) = Eigen::Map<const Eigen::ArrayXd>(rows[i].data(), table.cols()).transpose();
+  dump.table(pass + "_evidence", kEvidenceHeader, table);
+}
+
+}  // namespace
+
+bool drills(const std::vector<JudgedWindow>& verdict) {
+  return std::any_of(verdict.begin(), verdict.end(),
+                     [](const JudgedWindow& w) { return w.probability >= kDrillingProbability; });
+}
+
+std::vector<JudgedWindow> judge(const std::vector<Segment>& windows, const SearchedClip& clip,
+                                const std::string& pass, const Dump& dump) {
+  Explained explained;
+  if (clip.factors) {
+    explained.with_clicks = itakura_saito(clip.power, *clip.factors);
+    explained.background_alone = itakura_saito(clip.power, background_nmf(clip.power));
+  }
+  std::vector<JudgedWindow> verdict;
+  std::vector<std::vector<double>> rows;
+  for (const Segment& window : windows) {
+    const DrillingEvidence e = evidence_in(window, clip, explained);
+    verdict.push_back({window, drilling_probability(e), objections_to(e)});
+    rows.push_back(evidence_row(verdict.back(), e));
+  }
+  if (!rows.empty()) dump_evidence(dump, pass, rows);
+  return verdict;
+}
+
+}  // namespace rigsound::analysis

@@ -1,0 +1,37 @@
+// The verdict on the windows of a clip whose clicks are known.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "chain/dump.hpp"
+#include "chain/segments.hpp"
+#include "clicks/candidates.hpp"
+#include "denoise/factors.hpp"
+#include "rigsound/analysis/click_train.hpp"
+
+namespace rigsound::analysis {
+
+struct JudgedWindow {
+  Segment window;          ///< samples of the clip; may reach beyond it
+  double probability = 0;  ///< that it is drilling
+  std::string objections;  ///< what speaks against it
+};
+
+/// One window does. Thread: OFF.
+bool drills(const std::vector<JudgedWindow>& verdict);
+
+/// What the search for clicks leaves.
+struct SearchedClip {
+  long length = 0;  ///< samples
+  const Candidates& candidates;
+  const ClickTrain& clicks;
+  const PowerSpectrogram& power;
+  const Factors* factors;  ///< of step 6; null: too few clicks for it
+};
+
+/// The verdict on every window; the figures behind it go into PASS_evidence.csv. Thread: OFF.
+std::vector<JudgedWindow> judge(const std::vector<Segment>& windows, const SearchedClip& clip,
+                                const std::string& pass, const Dump& dump);
+
+}  // namespace rigsound::analysis
