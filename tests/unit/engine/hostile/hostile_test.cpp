@@ -10,9 +10,9 @@ using namespace rigsound;
 using namespace rigsound::tests;
 
 TEST_CASE("hostile states and sound sets: finite, under the ceiling, no allocation, healed in 50 ms") {
-  constexpr std::int64_t kBlocks = 100000, kBlocksAnEngine = 5000;
+  constexpr std::int64_t kHostileBlocks = 100000, kBlocksAnEngine = 5000;
   HostileFindings found;
-  for (std::uint64_t seed = 1; found.blocks < kBlocks; ++seed) {
+  for (std::uint64_t seed = 1; found.blocks < kHostileBlocks; ++seed) {
     HostileInput input(seed);
     CAPTURE(seed);
     run_hostile(input, kBlocksAnEngine, found);

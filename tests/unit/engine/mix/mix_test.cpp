@@ -42,7 +42,7 @@ TEST_CASE("the limiter without latency never passes its ceiling and leaves quiet
     for (int c = 0; c < 2; ++c)
       for (int n = 0; n < kChunk; ++n) {
         REQUIRE(std::fabs(x[n][c]) <= 0.5 * (1 + 1e-12));
-        if (chunk < 500) REQUIRE(x[n][c] == before[n][c]);
+        if (const double now = x[n][c], then = before[n][c]; chunk < 500) REQUIRE(now == then);
       }
   }
   CHECK(limiter.lowest_gain() > 0.95);
