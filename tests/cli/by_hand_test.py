@@ -121,6 +121,17 @@ class Manual(DaemonCase):
         states.write_text(told.stdout)
         self.run_verb('timeline', self.folder / 's.png', '--wav', self.folder / '0.wav', '--states', states)
 
+    def test_the_last_thing_that_is_heard_is_silence(self):
+        """Else the card is closed on a sound that the session has and nobody heard."""
+        daemon = self.start_daemon('--manual', '--session', self.sessions)
+        self.ctl('set', 'boom1.feed_pressure_bar', '160')
+        wait_for('sound', lambda: self.status()['meters']['peak_db'] > -40)
+        self.stop(daemon)
+        self.run_verb('render', self.rig, '--session', self.sessions, '--out', self.folder / 'out.wav')
+        sound = (self.folder / 'out.wav').read_bytes()
+        silent = (len(sound) - len(sound.rstrip(b'\0'))) // (2 * 4)
+        self.assertGreaterEqual(silent, 256 * 3)
+
     def test_a_rig_named_as_the_folder_of_sessions_is_refused_and_stays(self):
         before = self.rig.read_bytes()
         result = subprocess.run([RIGSOUNDD, self.rig, '--manual', '--session', self.rig], capture_output=True, text=True, timeout=PATIENCE_S)

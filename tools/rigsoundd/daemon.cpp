@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kPoll_s = 0.1, kStep_s = 0.005;
 constexpr double kMuteFade_s = 0.1;
-constexpr double kLastFade_s = 0.25, kRingOut_s = 0.1;  // the end is there within half a second
+constexpr double kRingOut_s = 0.35;  // longer than the engine takes to follow a shut gate: at the end 1e-6 is silence
 constexpr double kControlIdle_s = 3600, kMetricsIdle_s = 10;
 constexpr double kExposureFade_s = 0.1;  // as long as a window
 constexpr double kSaidFrom_db = 0.5;
@@ -112,8 +112,8 @@ bool Daemon::run(int signals) {
 
 // The engine smooths every gain: it is silent a little after the gate is shut.
 void Daemon::fade_out() {
-  exchange_.set_gate(0, kLastFade_s);
-  sleep_s(kLastFade_s);
+  exchange_.set_gate(0, kMuteFade_s);
+  sleep_s(kMuteFade_s);
   for (double waited_s = 0; waited_s < kRingOut_s && audio_.figures().peak.load() > 0; waited_s += kStep_s)
     sleep_s(kStep_s);
   const audio::AudioOptions& audio = loaded_.rig.audio;
