@@ -2,19 +2,14 @@
 
 #include <algorithm>
 
+#include "modbus/tcp_frame.hpp"
+
 namespace rigsound::log {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr std::size_t kMbap = 7, kMaxFrame = 260, kMostGaps = 8;
-
-std::size_t frame_size(const Bytes& bytes) { return 6 + (bytes[4] << 8 | bytes[5]); }
-
-bool is_modbus(const Bytes& bytes) {
-  return bytes.size() < kMbap ||
-         (bytes[2] == 0 && bytes[3] == 0 && frame_size(bytes) > kMbap && frame_size(bytes) <= kMaxFrame);
-}
+constexpr std::size_t kMostGaps = 8;
 
 Bytes take_front(Bytes& bytes, std::size_t size) {
   const auto end = bytes.begin() + static_cast<std::ptrdiff_t>(size);
@@ -68,27 +63,18 @@ bool FrameStream::fill_gap(const TcpPacket& p) {
   return good;
 }
 
-bool FrameStream::cut(Bytes& bytes) { return framing_ == Framing::kMbap ? cut_mbap(bytes) : cut_rtu(bytes); }
-
-bool FrameStream::cut_mbap(Bytes& bytes) {
-  while (bytes.size() >= kMbap && is_modbus(bytes) && bytes.size() >= frame_size(bytes))
-    frames_.push_back(take_front(bytes, frame_size(bytes)));
-  if (is_modbus(bytes)) return true;
-  bytes.clear();
-  return false;
-}
-
-bool FrameStream::cut_rtu(Bytes& bytes) {
+bool FrameStream::cut(Bytes& bytes) {
+  const bool rtu = framing_ != Framing::kMbap;
   for (;;) {
-    const auto size = modbus::rtu_frame_size(side_, bytes.data(), bytes.size());
+    const auto size = rtu ? modbus::rtu_frame_size(side_, bytes.data(), bytes.size())
+                          : modbus::tcp_frame_size(bytes.data(), bytes.size());
     if (size && (*size == 0 || bytes.size() < *size)) return true;
-    const bool good =
-        size && modbus::rtu_checksum(bytes.data(), *size - 2) == (bytes[*size - 2] | bytes[*size - 1] << 8);
-    if (!good) {
+    if (!size || (rtu && !modbus::rtu_checksum_holds(bytes.data(), *size))) {
       bytes.clear();
       return false;
     }
-    frames_.push_back(with_mbap(take_front(bytes, *size)));
+    const Bytes frame = take_front(bytes, *size);
+    frames_.push_back(rtu ? with_mbap(frame) : frame);
   }
 }
 

@@ -36,8 +36,6 @@ class FrameStream {
   };
   bool fill_gap(const TcpPacket& packet);
   bool cut(Bytes& bytes);
-  bool cut_mbap(Bytes& bytes);
-  bool cut_rtu(Bytes& bytes);
 
   Framing framing_;
   modbus::RtuSide side_;
