@@ -42,11 +42,10 @@ bool begins_capture(const std::string& start) {
   return false;
 }
 
-CaptureFile::CaptureFile(const LogFile& file) : name_(file.name()), in_(file.path(), std::ios::binary) {
-  std::error_code error;
-  bytes_ = left_ = std::filesystem::file_size(file.path(), error);
+CaptureFile::CaptureFile(const LogFile& file)
+    : name_(file.name()), in_(file.path(), std::ios::binary), bytes_(file.bytes()), left_(bytes_) {
   Bytes start;
-  if (!in_ || error || left_ < 4 || !read(start, 4))
+  if (!in_ || left_ < 4 || !read(start, 4))
     throw InputError(name_, "is no capture, expected a pcap or a pcapng");
   if (!begins_capture({start.begin(), start.end()}))
     throw InputError(name_, "is no capture, expected a pcap or a pcapng");

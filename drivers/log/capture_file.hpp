@@ -31,7 +31,7 @@ class CaptureFile {
   bool next(CapturedPacket& packet);
 
   double share() const {
-    return share_of(static_cast<double>(bytes_ - left_), static_cast<double>(bytes_));
+    return share_of(bytes_ - left_, bytes_);
   }  ///< of the file that has been read, 0...1
 
  private:
@@ -62,7 +62,7 @@ class CaptureFile {
 
   std::string name_;
   std::ifstream in_;
-  std::uintmax_t bytes_ = 0, left_ = 0;  // of the file, and not yet read
+  std::uintmax_t bytes_, left_;  // of the file, and not yet read
   bool pcapng_ = false, big_endian_ = false;
   std::vector<Interface> interfaces_;  // of a pcap: just one
   std::int64_t last_ns_ = 0;

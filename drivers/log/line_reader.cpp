@@ -36,7 +36,7 @@ bool LineReader::read_more() {
   while (got < 0 && errno == EINTR);
   if (got < 0) throw InputError(file_, line_ + 1, {}, "cannot be read further");
   end_ += static_cast<std::size_t>(got);
-  read_ += static_cast<double>(got);
+  read_ += static_cast<std::uintmax_t>(got);
   return got > 0;
 }
 

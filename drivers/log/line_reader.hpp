@@ -22,7 +22,7 @@ class LineReader : public CanReader {
 
   bool next(CanRecord& record) override;
   int line() const override { return line_; }
-  double share() const override { return share_of(read_ - static_cast<double>(end_ - begin_), bytes_); }
+  double share() const override { return share_of(read_ - (end_ - begin_), bytes_); }
   std::string remark() const override { return format_->remark(); }
 
  private:
@@ -33,7 +33,7 @@ class LineReader : public CanReader {
 
   std::string file_;
   FileDescriptor fd_;
-  double bytes_, read_ = 0;  ///< of the file; with what is in the buffer
+  std::uintmax_t bytes_, read_ = 0;  ///< of the file; with what is in the buffer
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;  ///< of what is in the buffer and not yet read
   std::unique_ptr<CanLineFormat> format_;

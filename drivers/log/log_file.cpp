@@ -50,10 +50,10 @@ LogFile::LogFile(const std::filesystem::path& file) : file_(file, "bus log"), pa
   path_ = "/proc/self/fd/" + std::to_string(unpacked_.get());
 }
 
-double LogFile::bytes() const {
+std::uintmax_t LogFile::bytes() const {
   std::error_code unknown;
   const std::uintmax_t size = std::filesystem::file_size(path_, unknown);
-  return unknown ? 0 : static_cast<double>(size);
+  return unknown ? 0 : size;
 }
 
 }  // namespace rigsound::log

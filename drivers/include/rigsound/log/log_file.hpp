@@ -1,6 +1,7 @@
 // A recorded bus as a file that can be read from its start as often as it takes.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -18,7 +19,7 @@ class LogFile {
 
   const std::string& name() const { return file_.name(); }     ///< for messages
   const std::filesystem::path& path() const { return path_; }  ///< to be opened while this lives
-  double bytes() const;                                        ///< how long it is, unpacked
+  std::uintmax_t bytes() const;                                ///< how long it is, unpacked; 0: not known
 
  private:
   InputFile file_;
@@ -27,6 +28,8 @@ class LogFile {
 };
 
 /// Of a file of `bytes`, `read` of which were read; 1 when its length is not known.
-inline double share_of(double read, double bytes) { return read < bytes ? read / bytes : 1; }
+inline double share_of(std::uintmax_t read, std::uintmax_t bytes) {
+  return read < bytes ? static_cast<double>(read) / static_cast<double>(bytes) : 1;
+}
 
 }  // namespace rigsound::log
