@@ -1,9 +1,8 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
-#include <optional>
 
 #include "decode/row_text.hpp"
 #include "decode/state_rows.hpp"
@@ -73,33 +72,19 @@ class LogRows {
   std::array<bool, kMaxBooms> told_{};
 };
 
-/// A bar beside rows that go elsewhere: on one terminal it would lie between them.
-class BarBesideRows {
- public:
-  BarBesideRows() {
-    if (isatty(STDOUT_FILENO) == 0) bar_.emplace();
-  }
-  void show(double share) {
-    if (bar_) bar_->show(share);
-  }
-
- private:
-  std::optional<ProgressBar> bar_;
-};
-
 void decode_log(const DecodeArguments& options) {
   const config::Rig rig = config::load_rig(options.rig);
   const std::unique_ptr<log::BusLog> log =
       log::open_log(options.log.log, config::buses_of(rig), log_options(options.log));
   StateRows rows(rig, options.form(), stdout);
   LogRows changes(rig, rows);
-  std::optional<BarBesideRows> bar(std::in_place);
+  ProgressBar bar(ProgressBar::Beside::kRows);
   const SignalBoard board =
       log::trace_changes(*log, rig.safety, watched(rig), [&](const log::Change& change) {
         changes.add(change);
-        bar->show(log->share());
+        bar.show(log->share());
       });
-  bar.reset();
+  bar.clear();
   changes.add_situations();
   rows.finish();
   print_log_notes(options.log.log, *log);
@@ -114,13 +99,13 @@ void decode_session(const DecodeArguments& options) {
   const double block_s = header.block / header.sample_rate;
   StateRows rows(rig, options.form(), stdout);
   session::SessionChanges changes = states.changes();
-  std::optional<BarBesideRows> bar(std::in_place);
+  ProgressBar bar(ProgressBar::Beside::kRows);
   for (session::Change change; changes.next(change);) {
     rows.add_state(static_cast<double>(change.block + change.skipped) * block_s, change.state);
-    bar->show(static_cast<double>(change.block) /
-              static_cast<double>(std::max<std::uint64_t>(1, states.blocks())));
+    bar.show(static_cast<double>(change.block) /
+             static_cast<double>(std::max<std::uint64_t>(1, states.blocks())));
   }
-  bar.reset();
+  bar.clear();
   rows.finish();
   fmt::print(stderr, "{}: {:.1f} s, played by rigsound {} at {:g} Hz in blocks of {} frames, seed {}\n",
              file.string(), static_cast<double>(states.blocks() + states.skipped()) * block_s, header.program,

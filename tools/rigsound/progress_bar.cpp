@@ -22,7 +22,8 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) != 0) {}
+ProgressBar::ProgressBar(Beside beside)
+    : terminal_(isatty(STDERR_FILENO) != 0 && (beside == Beside::kNothing || isatty(STDOUT_FILENO) == 0)) {}
 
 ProgressBar::~ProgressBar() { clear(); }
 

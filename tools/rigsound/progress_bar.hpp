@@ -10,7 +10,11 @@ namespace rigsound::tools {
 /// The line is cleared when the bar goes. Calls must not overlap. Thread: OFF.
 class ProgressBar {
  public:
-  ProgressBar();
+  /// What the verb prints meanwhile. Rows on the bar's own terminal would lie across it: nothing is drawn
+  /// then.
+  enum class Beside { kNothing, kRows };
+
+  explicit ProgressBar(Beside beside = Beside::kNothing);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
