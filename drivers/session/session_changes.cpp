@@ -1,7 +1,6 @@
 #include "rigsound/session/session_changes.hpp"
 
 #include <algorithm>
-#include <map>
 #include <sstream>
 
 #include "rigsound/audio/sample_format.hpp"
@@ -12,23 +11,7 @@
 namespace rigsound::session {
 namespace {
 
-constexpr std::size_t kMostHeaderBytes = 4096;
 constexpr double kLongestChunk_s = 3600;  // the daemon writes two a second, whatever happens
-
-/// The lines of the header by their first word; `at` moves behind the empty line that ends it.
-std::map<std::string, std::string> header_lines(const std::string& bytes, std::size_t& at) {
-  std::map<std::string, std::string> lines;
-  while (at < bytes.size()) {
-    const std::size_t end = bytes.find('\n', at);
-    if (end == std::string::npos) return lines;
-    const std::string line = bytes.substr(at, end - at);
-    at = end + 1;
-    if (line.empty()) return lines;
-    const std::size_t space = line.find(' ');
-    lines[line.substr(0, space)] = space == std::string::npos ? "" : line.substr(space + 1);
-  }
-  return lines;
-}
 
 template <typename Number>
 bool read_number(const std::string& text, Number& value) {
@@ -56,6 +39,7 @@ SessionHeader parse_header(const std::string& file, const std::string& bytes, st
   if (!good)
     throw InputError(file, "has a damaged header, expected seed, sample_rate, block, channels, format");
   h.format = *sample_format;
+  h.after_crash = lines[std::string(kAfterCrash)] == "1";
   return h;
 }
 

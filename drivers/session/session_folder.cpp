@@ -30,7 +30,6 @@ namespace {
 constexpr std::string_view kNamePattern = "0000-00-00T00-00-00.000Z.rigsession";
 constexpr std::size_t kMostSessions = 1000;
 constexpr std::time_t kBrief_s = 10, kCrashLoop_s = 60;
-constexpr std::size_t kLongestHeader = 1024;
 constexpr std::uintmax_t kMostSilentBytes = 16 << 10;  // of 10 s of fades and nothing else
 
 std::string name_at(std::chrono::system_clock::time_point time) {
@@ -86,11 +85,12 @@ std::optional<OldSession> finished_session(const fs::path& file) {
   const FileDescriptor fd(::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   struct stat about {};
   if (!fd || ::fstat(fd.get(), &about) != 0 || !S_ISREG(about.st_mode)) return std::nullopt;
-  const std::string head = bytes_at(fd, 0, kLongestHeader);
+  const std::string head = bytes_at(fd, 0, kMostHeaderBytes);
   if (!begins_with(head, kSessionTitle) || ::flock(fd.get(), LOCK_SH | LOCK_NB) != 0) return std::nullopt;
+  std::size_t end = 0;
+  auto lines = header_lines(head, end);
   // Sessions of older formats do not tell how they ended.
-  const bool tells_end =
-      begins_with(head, std::string(kSessionTitle) + ' ' + std::to_string(kSessionFormat) + '\n');
+  const bool tells_end = lines[std::string(kSessionTitle)] == std::to_string(kSessionFormat);
   const bool in_order =
       is_end(bytes_at(fd, about.st_size - static_cast<off_t>(kChunkHeadBytes), kChunkHeadBytes));
   // Twice a second its writer writes.
@@ -99,7 +99,7 @@ std::optional<OldSession> finished_session(const fs::path& file) {
                     begin_s(file.filename().string()),
                     about.st_mtime,
                     tells_end && !in_order,
-                    head.substr(0, head.find("\n\n") + 1).find(kAfterCrashLine) != std::string::npos};
+                    lines[std::string(kAfterCrash)] == "1"};
 }
 
 /// Of the folder, oldest first.
@@ -149,9 +149,29 @@ std::vector<OldSession> in_order_of_worth(const std::vector<OldSession>& session
   return all;
 }
 
-bool soon_after_a_crash(const fs::path& folder, std::time_t now_s) {
-  const std::vector<OldSession> sessions = sessions_in(folder);
+bool soon_after_a_crash(const std::vector<OldSession>& sessions, std::time_t now_s) {
   return !sessions.empty() && sessions.back().crashed && now_s - sessions.back().end_s < kCrashLoop_s;
+}
+
+/// Until a session of `share` bytes fits into the limit.
+void make_room(const std::vector<OldSession>& all, std::uintmax_t share, std::uintmax_t limit_bytes) {
+  std::vector<OldSession> sessions;
+  std::uintmax_t bytes = 0;
+  for (const OldSession& session : all) {
+    if (session.under(kBrief_s) && session.bytes < kMostSilentBytes && tells_nothing(session.file)) {
+      remove(session);
+      continue;
+    }
+    bytes += session.bytes;
+    sessions.push_back(session);
+  }
+  std::size_t count = sessions.size();
+  for (const OldSession& session : in_order_of_worth(sessions)) {
+    if (bytes + share <= limit_bytes && count < kMostSessions) return;
+    remove(session);
+    bytes -= session.bytes;
+    --count;
+  }
 }
 
 }  // namespace
@@ -162,34 +182,15 @@ SessionFolder::SessionFolder(fs::path path, std::uint64_t limit_bytes)
     throw InputError(path_.string(), "is no folder, expected one for sessions, or a new name");
 }
 
-void SessionFolder::make_room() const {
-  std::vector<OldSession> sessions;
-  std::uintmax_t bytes = 0;
-  for (const OldSession& session : sessions_in(path_)) {
-    if (session.under(kBrief_s) && session.bytes < kMostSilentBytes && tells_nothing(session.file)) {
-      remove(session);
-      continue;
-    }
-    bytes += session.bytes;
-    sessions.push_back(session);
-  }
-  std::size_t count = sessions.size();
-  for (const OldSession& session : in_order_of_worth(sessions)) {
-    if (bytes + share() <= limit_bytes_ && count < kMostSessions) return;
-    remove(session);
-    bytes -= session.bytes;
-    --count;
-  }
-}
-
 std::unique_ptr<SessionWriter> SessionFolder::begin(const SessionHeader& header,
                                                     std::chrono::system_clock::time_point now) {
   std::error_code error;
   fs::create_directories(path_, error);
   if (error) throw DeviceError(path_.string() + ": session cannot be written: " + error.message());
   SessionHeader with_history = header;
-  with_history.after_crash = soon_after_a_crash(path_, std::chrono::system_clock::to_time_t(now));
-  make_room();
+  const std::vector<OldSession> sessions = sessions_in(path_);
+  with_history.after_crash = soon_after_a_crash(sessions, std::chrono::system_clock::to_time_t(now));
+  make_room(sessions, share(), limit_bytes_);
   for (;; now += std::chrono::milliseconds(1)) {
     const fs::path file = path_ / name_at(now);
     FileDescriptor fd(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));

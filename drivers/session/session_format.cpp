@@ -102,9 +102,24 @@ std::string header_text(const SessionHeader& h) {
   text.imbue(std::locale::classic());
   text << kSessionTitle << ' ' << kSessionFormat << "\nprogram " << h.program << "\nfingerprint "
        << h.fingerprint << "\nseed " << h.seed << "\nsample_rate " << h.sample_rate << "\nblock " << h.block
-       << "\nchannels " << h.channels << "\nformat " << audio::name(h.format)
-       << (h.after_crash ? kAfterCrashLine : "\n") << '\n';
+       << "\nchannels " << h.channels << "\nformat " << audio::name(h.format) << '\n';
+  if (h.after_crash) text << kAfterCrash << " 1\n";
+  text << '\n';
   return text.str();
+}
+
+std::map<std::string, std::string> header_lines(const std::string& bytes, std::size_t& at) {
+  std::map<std::string, std::string> lines;
+  while (at < bytes.size()) {
+    const std::size_t end = bytes.find('\n', at);
+    if (end == std::string::npos) return lines;
+    const std::string line = bytes.substr(at, end - at);
+    at = end + 1;
+    if (line.empty()) return lines;
+    const std::size_t space = line.find(' ');
+    lines[line.substr(0, space)] = space == std::string::npos ? "" : line.substr(space + 1);
+  }
+  return lines;
 }
 
 }  // namespace rigsound::session

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <istream>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -41,8 +42,14 @@ bool read_chunk(std::istream& in, Chunk& chunk);
 /// The bytes that end a file whose run ended in order.
 bool is_end(const std::string& last_bytes);
 
+constexpr std::size_t kMostHeaderBytes = 4096;
+constexpr std::string_view kAfterCrash =
+    "after_crash";  ///< a line of the header, 1: SessionHeader::after_crash
+
 std::string header_text(const SessionHeader& header);
-constexpr std::string_view kAfterCrashLine = "\nafter_crash 1\n";  ///< of a header
+
+/// The lines of a header by their first word; `at` moves behind the empty line that ends it.
+std::map<std::string, std::string> header_lines(const std::string& bytes, std::size_t& at);
 
 /// Seven bits a byte, least significant first.
 void put_varint(std::string& out, std::uint64_t value);

@@ -39,11 +39,9 @@ class SessionChanges {
   explicit SessionChanges(const InputFile& file);
   SessionChanges(const SessionChanges&) = delete;
   SessionChanges& operator=(const SessionChanges&) = delete;
+  ~SessionChanges();
 
   const SessionHeader& header() const { return header_; }
-
-  SessionChanges(SessionChanges&&) = delete;
-  ~SessionChanges();
 
   /// The next change, the first of block 0; false behind the last whole chunk. Errors: SessionWithoutState;
   /// InputError for what no writer writes: a value that its signal does not have, blocks that run backwards

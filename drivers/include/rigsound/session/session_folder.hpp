@@ -29,8 +29,6 @@ class SessionFolder {
                                        std::chrono::system_clock::time_point now);
 
  private:
-  void make_room() const;
-
   std::filesystem::path path_;
   std::uint64_t limit_bytes_;
 };
