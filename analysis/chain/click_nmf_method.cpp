@@ -166,19 +166,13 @@ struct Pass {
   std::optional<Factors> factors;
 };
 
-Pass first_pass(Search found, const PowerSpectrogram& power, const Dump& dump) {
+Pass pass_through(Search found, FitEffort effort, const std::string& name, const PowerSpectrogram& power,
+                  const Dump& dump) {
   Pass pass{std::move(found), {}, {}};
-  pass.clicks = fit(pass.found, FitEffort::kRough, "pass1", dump);
-  if (pass.clicks.P.size() >= kFewestFitted) pass.factors = cs_nmf(power, pass.clicks, rough_options());
-  return pass;
-}
-
-Pass second_pass(const PsdPair& rough, const std::vector<float>& x, const PowerSpectrogram& power,
-                 const Dump& dump) {
-  Pass pass{search(x, mean_over_time(rough)), {}, {}};
-  pass.clicks = fit(pass.found, FitEffort::kFull, "pass2", dump);
+  pass.clicks = fit(pass.found, effort, name, dump);
   if (pass.clicks.P.size() >= kFewestFitted)
-    pass.factors = cs_nmf(power, pass.clicks, final_options(pass.clicks));
+    pass.factors =
+        cs_nmf(power, pass.clicks, effort == FitEffort::kFull ? final_options(pass.clicks) : rough_options());
   return pass;
 }
 
@@ -192,11 +186,11 @@ ClipSplit split_by_click_nmf(const std::vector<float>& x, const std::vector<Segm
   const Start start = clearest_start(options.seed, x, power);
   dump_split(dump, "blind", X, start.blind, x.size());
 
-  Pass pass = first_pass(start.found, power, dump);
+  Pass pass = pass_through(start.found, FitEffort::kRough, "pass1", power, dump);
   if (pass.factors && (options.labelled || start.found.clearness() >= kHopeless)) {
     const PsdPair rough = modelled_psd(*pass.factors, power);
     dump_split(dump, "pass1", X, rough, x.size());
-    pass = second_pass(rough, x, power, dump);
+    pass = pass_through(search(x, mean_over_time(rough)), FitEffort::kFull, "pass2", power, dump);
   }
   ClipSplit split;
   split.verdict = judge(windows, searched(pass.found, pass.clicks, power, pass.factors), "pass2", dump);
