@@ -24,7 +24,7 @@ std::size_t following(std::size_t place, const List& list) noexcept {
 
 }  // namespace
 
-// A point of the curve is chosen kLeastChunks - 2 ... chunks - 1 chunks after the one it stands in, and each
+// A point of the curve is chosen kLeastLookahead - 2 ... chunks - 1 chunks after the one it stands in, and each
 // wish counts for the points from two before its chunk to one behind it.
 LookaheadLimiter::LookaheadLimiter(double ceiling, int chunks, double sample_rate)
     : target_(kTargetShare * ceiling),
