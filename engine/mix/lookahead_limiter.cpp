@@ -24,8 +24,8 @@ std::size_t following(std::size_t place, const List& list) noexcept {
 
 }  // namespace
 
-// A point of the curve is chosen kLeastLookahead - 2 ... chunks - 1 chunks after the one it stands in, and each
-// wish counts for the points from two before its chunk to one behind it.
+// A point of the curve is chosen kLeastLookahead - 2 ... chunks - 1 chunks after the one it stands in, and
+// each wish counts for the points from two before its chunk to one behind it.
 LookaheadLimiter::LookaheadLimiter(double ceiling, int chunks, double sample_rate)
     : target_(kTargetShare * ceiling),
       release_(dsp::one_pole_remainder(kRecovery_s, kChunk, sample_rate)),
