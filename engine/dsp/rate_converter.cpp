@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <numeric>
 
+#include "rigsound/dsp/interpolation_kernel.hpp"
 #include "rigsound/dsp/lanes.hpp"
 
 namespace rigsound::dsp {
@@ -25,23 +26,29 @@ RateConverter::RateConverter(std::int64_t from_hz, std::int64_t to_hz)
     : from_hz_(from_hz),
       up_(to_hz / std::gcd(from_hz, to_hz)),
       down_(from_hz / std::gcd(from_hz, to_hz)),
-      kernel_(taps_of(from_hz, to_hz), static_cast<int>(std::min(up_, kMostPhases)), kBeta,
-              kCut * std::min(1.0, static_cast<double>(to_hz) / static_cast<double>(from_hz))) {}
+      taps_(taps_of(from_hz, to_hz)),
+      weights_(static_cast<std::size_t>(up_ * taps_)) {
+  const double ratio = static_cast<double>(to_hz) / static_cast<double>(from_hz);
+  const InterpolationKernel kernel(taps_, static_cast<int>(std::min(up_, kMostPhases)), kBeta,
+                                   kCut * std::min(1.0, ratio));
+  before_ = -kernel.first();
+  std::vector<double> exact(static_cast<std::size_t>(taps_));
+  for (std::int64_t phase = 0; phase < up_; ++phase) {
+    kernel.weights(static_cast<double>(phase) / static_cast<double>(up_), exact.data());
+    std::copy(exact.begin(), exact.end(), weights_.begin() + phase * taps_);
+  }
+}
 
 std::vector<float> RateConverter::converted(const std::vector<float>& signal) const {
-  const int taps = kernel_.taps(), before = -kernel_.first();
-  std::vector<float> x(signal.size() + static_cast<std::size_t>(taps + 1), 0.0F),
-      w(static_cast<std::size_t>(taps));
-  std::vector<double> exact(w.size());
-  std::copy(signal.begin(), signal.end(), x.begin() + before);
+  std::vector<float> x(signal.size() + static_cast<std::size_t>(taps_ + 1), 0.0F);
+  std::copy(signal.begin(), signal.end(), x.begin() + before_);
   const std::int64_t count = (static_cast<std::int64_t>(signal.size()) * up_ + down_ - 1) / down_;
   std::vector<float> out(static_cast<std::size_t>(count));
-  // Samples of one phase share their weights.
-  for (std::int64_t first = 0; first < std::min(up_, count); ++first) {
-    kernel_.weights(static_cast<double>(first * down_ % up_) / static_cast<double>(up_), exact.data());
-    std::copy(exact.begin(), exact.end(), w.begin());
-    for (std::int64_t n = first; n < count; n += up_)
-      out[static_cast<std::size_t>(n)] = dot(w.data(), x.data() + n * down_ / up_, taps);
+  std::int64_t at = 0, phase = 0;
+  for (float& y : out) {
+    y = dot(weights_.data() + phase * taps_, x.data() + at, taps_);
+    phase += down_;
+    while (phase >= up_) phase -= up_, ++at;
   }
   return out;
 }

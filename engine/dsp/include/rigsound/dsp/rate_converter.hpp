@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "rigsound/dsp/interpolation_kernel.hpp"
-
 namespace rigsound::dsp {
 
 /// Flat to 0.85 of the lower of both Nyquist frequencies (18.7 kHz from 44.1 to 48 kHz) within 0.01 dB, -90
@@ -22,8 +20,9 @@ class RateConverter {
 
  private:
   std::int64_t from_hz_;
-  std::int64_t up_, down_;  ///< in lowest terms: `up_` samples come of `down_`
-  InterpolationKernel kernel_;
+  std::int64_t up_, down_;      ///< in lowest terms: `up_` samples come of `down_`
+  int taps_, before_ = 0;       ///< of them before the sample
+  std::vector<float> weights_;  ///< up_ x taps_
 };
 
 }  // namespace rigsound::dsp
