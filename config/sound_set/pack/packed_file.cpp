@@ -6,7 +6,7 @@ namespace rigsound::config {
 
 PackedSet load_packed(const std::filesystem::path& file) {
   const MappedFile mapped(file);
-  return read_packed(mapped.bytes(), file.string());
+  return read_packed(mapped.bytes(), file.string(), [&](std::string_view part) { mapped.forget(part); });
 }
 
 }  // namespace rigsound::config

@@ -73,19 +73,25 @@ void write_bank(const StoredBank& stored, PackWriter& out, std::string& samples)
   }
 }
 
-std::vector<float> read_click(PackReader& in, std::string_view samples) {
+struct PackedSamples {
+  std::string_view bytes;
+  std::size_t read = 0;  ///< of them: where the click that was read last ends
+};
+
+std::vector<float> read_click(PackReader& in, PackedSamples& samples) {
   const auto at = in.number<std::uint64_t>();
   const std::size_t count = in.number<std::uint32_t>();
-  if (at > samples.size() || count > (samples.size() - at) / sizeof(float))
+  if (at > samples.bytes.size() || count > (samples.bytes.size() - at) / sizeof(float))
     in.fail("is damaged: a click lies behind its end");
   std::vector<float> click(count);
-  if (count > 0) std::memcpy(click.data(), samples.data() + at, count * sizeof(float));
+  if (count > 0) std::memcpy(click.data(), samples.bytes.data() + at, count * sizeof(float));
+  samples.read = at + count * sizeof(float);
   if (!(std::fabs(std::sqrt(dsp::energy(click)) - 1) <= kUnitNormTolerance))
     in.fail("holds a click that is not of unit norm");
   return click;
 }
 
-StoredBank read_bank(PackReader& in, std::string_view samples) {
+StoredBank read_bank(PackReader& in, PackedSamples& samples) {
   StoredBank stored;
   stored.bank.name = read_name(in);
   in.read(stored.provenance), in.read(stored.bank);
@@ -222,7 +228,8 @@ std::string packed(const PackedSet& set) {
   return bytes;
 }
 
-PackedSet read_packed(std::string_view bytes, const std::string& file) {
+PackedSet read_packed(std::string_view bytes, const std::string& file,
+                      const std::function<void(std::string_view)>& done) {
   PackReader head(bytes, file);
   const std::uint32_t version = require_whole(bytes, head);
   std::uint64_t samples_at = 0;
@@ -230,13 +237,16 @@ PackedSet read_packed(std::string_view bytes, const std::string& file) {
   samples_at = all.number<std::uint64_t>();
   if (samples_at > bytes.size() || samples_at < kHashed + sizeof samples_at)
     all.fail("is damaged: it begins behind its end");
-  const std::string_view samples = bytes.substr(samples_at);
+  PackedSamples samples{bytes.substr(samples_at)};
   PackReader in(bytes.substr(kHashed + sizeof samples_at, samples_at - kHashed - sizeof samples_at), file,
                 version);
   PackedSet set;
   set.rig = read_rig(in);
   set.parts.index = read_index(in);
-  for (std::size_t left = in.size(1); left > 0; --left) set.parts.banks.push_back(read_bank(in, samples));
+  for (std::size_t left = in.size(1); left > 0; --left) {
+    set.parts.banks.push_back(read_bank(in, samples));
+    if (done) done(samples.bytes.substr(0, samples.read));
+  }
   read_models(in, set.parts.tools);
   read_models(in, set.parts.strings);
   for (std::size_t left = in.size(1); left > 0; --left) set.parts.diesels.push_back(read_diesel(in));

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,8 +36,10 @@ bool is_packed(std::string_view bytes);  ///< by its first bytes; Thread: any
 std::string packed(const PackedSet& set);
 
 /// Checks hash, every length before it is used and every number; what is not as packed() writes it is
-/// refused. `file` is for messages. Errors: InputError. Thread: OFF.
-PackedSet read_packed(std::string_view bytes, const std::string& file);
+/// refused. `file` is for messages; `done` is told which part of `bytes` is not looked at again. Errors:
+/// InputError. Thread: OFF.
+PackedSet read_packed(std::string_view bytes, const std::string& file,
+                      const std::function<void(std::string_view)>& done = {});
 
 /// The same of a file on disk, mapped while it is read. Errors: InputError. Thread: OFF.
 PackedSet load_packed(const std::filesystem::path& file);

@@ -16,6 +16,10 @@ class MappedFile {
 
   std::string_view bytes() const { return {static_cast<const char*>(data_), size_}; }
 
+  /// Gives memory back where bytes() are looked at no more; a second look reads the file again.
+  /// `part`: of bytes().
+  void forget(std::string_view part) const noexcept;
+
  private:
   void* data_ = nullptr;
   std::size_t size_ = 0;
