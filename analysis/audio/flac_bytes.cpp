@@ -2,50 +2,15 @@
 
 #include <sndfile.h>
 
-#include <algorithm>
-#include <cstring>
 #include <memory>
 #include <stdexcept>
 
+#include "rigsound/audio/sound_memory.hpp"
+
 namespace rigsound::analysis {
-namespace {
-
-/// What libsndfile writes to and goes back in.
-struct Memory {
-  std::string bytes;
-  sf_count_t at = 0;
-};
-
-sf_count_t length(void* user) { return static_cast<sf_count_t>(static_cast<Memory*>(user)->bytes.size()); }
-
-sf_count_t seek(sf_count_t offset, int whence, void* user) {
-  auto& memory = *static_cast<Memory*>(user);
-  return memory.at = offset + (whence == SEEK_CUR ? memory.at : whence == SEEK_END ? length(user) : 0);
-}
-
-sf_count_t read(void* to, sf_count_t count, void* user) {
-  auto& memory = *static_cast<Memory*>(user);
-  count = std::clamp<sf_count_t>(length(user) - memory.at, 0, count);
-  std::memcpy(to, memory.bytes.data() + memory.at, static_cast<std::size_t>(count));
-  memory.at += count;
-  return count;
-}
-
-sf_count_t write(const void* from, sf_count_t count, void* user) {
-  auto& memory = *static_cast<Memory*>(user);
-  memory.bytes.resize(static_cast<std::size_t>(std::max(length(user), memory.at + count)));
-  std::memcpy(memory.bytes.data() + memory.at, from, static_cast<std::size_t>(count));
-  memory.at += count;
-  return count;
-}
-
-sf_count_t tell(void* user) { return static_cast<Memory*>(user)->at; }
-
-}  // namespace
-
 std::string flac_bytes(const std::vector<float>& mono, int rate) {
-  Memory memory;
-  SF_VIRTUAL_IO io{length, seek, read, write, tell};
+  audio::SoundMemory memory;
+  SF_VIRTUAL_IO io = audio::sound_memory_io();
   SF_INFO info{};
   info.samplerate = rate;
   info.channels = 1;

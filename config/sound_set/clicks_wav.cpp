@@ -53,14 +53,14 @@ void write_clicks_wav(const std::filesystem::path& file, const Clicks& clicks, i
 
 Clicks read_clicks_wav(const std::filesystem::path& file, int sample_rate) {
   const std::string name = file.string();
-  SF_INFO format{};
-  const WavSound sound = open_wav(file, format);
+  const WavReader wav(file);
+  const SF_INFO& format = wav.format();
   if (format.samplerate != sample_rate)
     throw InputError(name, std::to_string(format.samplerate) +
                                " Hz, expected the sample_rate of bank.json, " + std::to_string(sample_rate) +
                                " Hz");
-  auto cues = std::make_unique<Cues>();
-  if (sf_command(sound.get(), SFC_GET_CUE, cues.get(), sizeof(Cues)) != SF_TRUE || cues->cue_count == 0)
+  const std::unique_ptr<Cues> cues(new Cues);  // as large as the largest bank: only what it holds is touched
+  if (sf_command(wav.get(), SFC_GET_CUE, cues.get(), sizeof(Cues)) != SF_TRUE || cues->cue_count == 0)
     throw InputError(name, "has no cue points, expected one at the start of each click");
 
   Clicks clicks;
@@ -73,11 +73,7 @@ Clicks read_clicks_wav(const std::filesystem::path& file, int sample_rate) {
     if (start < at || end <= start || end > format.frames)
       throw InputError(name, "cue point " + std::to_string(i + 1) + " at sample " + std::to_string(start) +
                                  " is out of order or behind the end, expected ascending starts of clicks");
-    std::vector<float> click(static_cast<std::size_t>(end - start));
-    sf_seek(sound.get(), start, SEEK_SET);
-    if (sf_read_float(sound.get(), click.data(), end - start) != end - start)
-      throw InputError(name, "ends before its last click");
-    clicks.push_back(unit_click(std::move(click), name, i));
+    clicks.push_back(unit_click(wav.samples(start, end - start), name, i));
     at = end;
   }
   return clicks;

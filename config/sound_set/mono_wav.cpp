@@ -13,13 +13,10 @@ void write_mono_wav(const std::filesystem::path& file, const std::vector<float>&
 }
 
 MonoWav read_mono_wav(const std::filesystem::path& file) {
-  SF_INFO format{};
-  const WavSound sound = open_wav(file, format);
+  const WavReader reader(file);
   MonoWav wav;
-  wav.sample_rate = format.samplerate;
-  wav.samples.resize(static_cast<std::size_t>(format.frames));
-  if (sf_read_float(sound.get(), wav.samples.data(), format.frames) != format.frames)
-    throw InputError(file.string(), "ends early, expected " + std::to_string(format.frames) + " samples");
+  wav.sample_rate = reader.format().samplerate;
+  wav.samples = reader.samples(0, reader.format().frames);
   for (const float x : wav.samples)
     if (!std::isfinite(x)) throw InputError(file.string(), "holds samples that are not finite numbers");
   return wav;

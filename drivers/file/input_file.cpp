@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 
 #include "file/nameless_file.hpp"
 #include "rigsound/machine/input_error.hpp"
@@ -57,9 +56,10 @@ InputFile::InputFile(const std::filesystem::path& file, std::string_view kind, s
 }
 
 std::string InputFile::content() const {
-  std::ifstream in(path_, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (!in.is_open() || in.bad()) throw InputError(name_, "cannot be read to its end");
+  std::ifstream in(path_, std::ios::binary | std::ios::ate);
+  std::string bytes(in.is_open() ? static_cast<std::size_t>(in.tellg()) : 0, '\0');
+  in.seekg(0).read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!in) throw InputError(name_, "cannot be read to its end");
   return bytes;
 }
 
