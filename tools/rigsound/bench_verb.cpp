@@ -1,13 +1,12 @@
-// rigsound bench: what the engine costs on this machine, layer by layer.
+// rigsound bench: whether a rig fits this machine, and what each layer costs.
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
-#include <vector>
 
-#include "bench/block_timer.hpp"
-#include "bench/formula_sounds.hpp"
+#include "bench/layer_costs.hpp"
+#include "bench/workload.hpp"
 #include "figure_row.hpp"
 #include "progress_bar.hpp"
 #include "verbs.hpp"
@@ -15,113 +14,121 @@
 namespace rigsound::tools {
 namespace {
 
-struct Row {
-  std::string layer;
-  EngineCost cost;
+constexpr double kSteady_s = 6;       // of sound a run where nobody says
+constexpr double kComfortable = 0.5;  // of a block: the rest is for the card, the kernel and other programs
+
+struct BenchArguments {
+  std::string rig;
+  LogArguments log;
+  double seconds = 0;  ///< 0: left out
+  bool json = false;
 };
 
-// Variants are measured in turn, so that a machine that slows down slows all of them.
-constexpr int kRounds = 8;
-
-/// Means are those of the quietest round, worst block and deadlines those of all rounds.
-void keep_best(EngineCost& best, const EngineCost& round) {
-  const EngineCost earlier = best;
-  if (earlier.blocks == 0 || round.ns_a_sample < earlier.ns_a_sample) best = round;
-  best.worst_block_us = std::max(earlier.worst_block_us, round.worst_block_us);
-  best.over_deadline = earlier.over_deadline + round.over_deadline;
-  best.blocks = earlier.blocks + round.blocks;
-}
-
-EngineCost difference(const EngineCost& with, const EngineCost& without) {
-  EngineCost d = with;
-  d.ns_a_sample -= without.ns_a_sample;
-  d.mean_block_us -= without.mean_block_us;
-  if (with.instructions_a_sample && without.instructions_a_sample)
-    d.instructions_a_sample = *with.instructions_a_sample - *without.instructions_a_sample;
-  return d;
-}
-
-/// A layer's cost is what the engine costs with it less what it costs without; a clock inside the render
-/// loop would disturb what it measures. Worst block and deadlines are those of the engine with the layer.
-std::vector<Row> measure_layers(double seconds) {
-  EngineOptions options = full_options();
-  options.booms = {{"boom", 0, 0, 0}};
-  const SoundSet all = formula_sounds(options.sample_rate);
-  MachineState drilling;
-  drilling.engine_rpm = 1800;
-  drilling.boom[0].feed_pressure_bar = 90;
-
-  EngineOptions no_tool = options;
-  no_tool.booms[0].tool = -1;
-  SoundSet no_background = all;
-  no_background.diesels.clear();
-
-  EngineCost whole, without_tool, without_background, drill_and_mix, mix;
+BenchResult measured(const BenchArguments& options) {
+  const double seconds = options.seconds > 0 ? options.seconds : kSteady_s;
+  const double of_log = options.seconds > 0 ? options.seconds : HUGE_VAL;
+  const Workload work = !options.log.log.empty() ? log_workload(options.rig, options.log, of_log)
+                        : !options.rig.empty()   ? rig_workload(options.rig, seconds)
+                                                 : formula_workload(seconds);
   ProgressBar bar;
-  for (int round = 0; round < kRounds; ++round) {
-    bar.show(round, kRounds);
-    const double share = seconds / kRounds;
-    keep_best(whole, measure(options, all, drilling, share));
-    keep_best(without_tool, measure(no_tool, all, drilling, share));
-    keep_best(without_background, measure(options, no_background, drilling, share));
-    keep_best(drill_and_mix, measure(no_tool, no_background, drilling, share));
-    keep_best(mix, measure(no_tool, no_background, MachineState{}, share));
-  }
-  return {{"drill", difference(drill_and_mix, mix)},
-          {"tool", difference(whole, without_tool)},
-          {"background", difference(whole, without_background)},
-          {"scene+mix", mix},
-          {"engine", whole}};
+  return layer_costs(work, [&](double share) { bar.show(share); });
 }
 
-void print_table(const std::vector<Row>& rows) {
-  fmt::print("{:<12}{:>14}{:>16}{:>16}{:>16}{:>16}\n", "layer", "ns/sample", "instr/sample", "mean block us",
-             "worst block us", "over deadline");
-  for (const Row& row : rows) {
-    const EngineCost& c = row.cost;
-    const std::string instructions =
-        c.instructions_a_sample ? fmt::format("{:.0f}", *c.instructions_a_sample) : "n/a";
-    fmt::print("{:<12}{:>14.1f}{:>16}{:>16.2f}{:>16.2f}{:>10} of {}\n", row.layer, c.ns_a_sample,
-               instructions, c.mean_block_us, c.worst_block_us, c.over_deadline, c.blocks);
-  }
+void print_table(const BenchResult& result) {
+  fmt::print("{:<11}{:>11}{:>10}{:>10}{:>10}{:>10}{:>10}{:>9}{:>15}\n", "layer", "instr/blk", "mean us",
+             "p50 us", "p99 us", "p99.9 us", "worst us", "core %", "over deadline");
+  for (const LayerCost& c : result.layers)
+    fmt::print("{:<11}{:>11}{:>10.2f}{:>10.2f}{:>10.2f}{:>10.2f}{:>10.2f}{:>9.2f}{:>15}\n", c.name,
+               c.instructions_a_block ? fmt::format("{:.0f}", *c.instructions_a_block) : "n/a", c.mean_us,
+               c.p50_us, c.p99_us, c.p999_us, c.worst_us, 100 * c.mean_us / result.block_us,
+               fmt::format("{} of {}", c.over_deadline, c.blocks));
 }
 
-void print_json(const std::vector<Row>& rows) {
+std::string verdict(const BenchResult& result) {
+  const double worst = result.engine().worst_us / result.block_us;
+  return fmt::format("{}: its worst block takes {:.1f} % of the {:.0f} us that a block of {} frames lasts",
+                     worst <= kComfortable ? "fits this machine"
+                     : worst <= 1          ? "fits barely, choose a larger block"
+                                  : "does not fit this machine, choose a larger block or fewer booms",
+                     100 * worst, result.block_us, result.frames);
+}
+
+std::string doubt(const BenchResult& result) {
+  return fmt::format(
+      "the machine was too busy to judge: this process had a core for {:.0f} % of the time (expected 90), "
+      "and the "
+      "best two runs differ by {:.1f} % (expected at most 5); true figures are lower, try again when it is "
+      "quiet",
+      100 * result.had, 100 * result.differ);
+}
+
+void print_json(const BenchResult& result) {
   Json layers;
-  for (const Row& row : rows) {
-    const EngineCost& c = row.cost;
-    Json& entry = layers[row.layer];
-    entry["ns_a_sample"] = c.ns_a_sample;
-    entry["instructions_a_sample"] = c.instructions_a_sample ? Json(*c.instructions_a_sample) : Json();
-    entry["mean_block_us"] = c.mean_block_us;
-    entry["worst_block_us"] = c.worst_block_us;
+  for (const LayerCost& c : result.layers) {
+    Json& entry = layers[c.name];
+    entry["ns_a_sample"] = 1e3 * c.mean_us / result.frames;
+    entry["instructions_a_sample"] =
+        c.instructions_a_block ? Json(*c.instructions_a_block / result.frames) : Json();
+    entry["mean_block_us"] = c.mean_us;
+    entry["p50_block_us"] = c.p50_us;
+    entry["p99_block_us"] = c.p99_us;
+    entry["p99_9_block_us"] = c.p999_us;
+    entry["worst_block_us"] = c.worst_us;
+    entry["share_of_core"] = c.mean_us / result.block_us;
     entry["blocks"] = c.blocks;
     entry["over_deadline"] = c.over_deadline;
   }
+  Json& engine = layers["engine"];
+  engine["block_us"] = result.block_us;
+  engine["had_a_core"] = result.had;
+  engine["best_runs_differ"] = result.differ;
+  engine["quiet"] = result.quiet();
   print_document(layers);
+}
+
+void run(const BenchArguments& options) {
+  if (options.log.log == "-")
+    throw cli::UsageError("--log",
+                          "standard input can be read once, expected a file: every run reads it again");
+  if (!options.log.log.empty() && options.rig.empty())
+    throw cli::UsageError("--log", "needs the --rig whose signals it holds");
+  const BenchResult result = measured(options);
+  if (options.json) {
+    print_json(result);
+  } else {
+    print_table(result);
+    fmt::print("\n{}\n", verdict(result));
+  }
+  if (!result.quiet()) fmt::print(stderr, "{}\n", doubt(result));
 }
 
 }  // namespace
 
 void add_bench(cli::Verb& program) {
-  struct Options {
-    bool json = false;
-    double seconds = 10;
-  };
-  cli::Verb verb = program.verb("bench", "Measure what the synthesiser costs on this machine, layer by layer")
+  cli::Verb verb = program.verb("bench", "Measure whether a rig fits this machine, and what each layer costs")
                        .group(kInspect);
-  auto o = std::make_shared<Options>();
-  verb.flag("--json", o->json, "figures as one JSON document instead of a table");
-  verb.option("--seconds", o->seconds, "sound to play per figure").range(0.1, 3600, "s").shows_default();
+  auto options = std::make_shared<BenchArguments>();
+  verb.option("--rig", options->rig, "rig to measure; left out: one boom, with sounds made from formulas");
+  verb.option("--log", options->log.log,
+              "recorded bus that the rig plays; left out: all booms drill at the "
+              "normal feed, 1800 r/min");
+  add_log_options(verb, options->log);
+  verb.option("--seconds", options->seconds, "sound of a run; left out: 6, or the whole log")
+      .range(0.1, 3600, "s");
+  verb.flag("--json", options->json, "figures as one JSON document instead of a table");
   verb.details(
-      "One boom that drills at 1800 r/min, blocks of 64 frames at 48 kHz, sounds made from formulas.\n"
-      "Means are those of the quietest of eight rounds, worst blocks those of all.");
-  verb.example("rigsound bench --seconds 30");
+      "Six runs play the same, so a block costs the same in each: what counts is the least processor time "
+      "that it "
+      "took, not what other programs took from it. Mean, percentiles and worst block are those of these "
+      "times; a "
+      "layer's are what blocks cost with it less what they cost without it. instr/blk: instructions, where "
+      "the "
+      "processor counts them. core %: share of one core. The worst block decides whether a rig fits; with "
+      "--log "
+      "starts and changes count as well.");
+  verb.example("rigsound bench --rig config/rigs/demo.toml --log config/logs/shift.log");
   verb.example("rigsound bench --json");
-  verb.callback([o] {
-    const std::vector<Row> rows = measure_layers(o->seconds);
-    o->json ? print_json(rows) : print_table(rows);
-  });
+  verb.callback([options] { run(*options); });
 }
 
 }  // namespace rigsound::tools
