@@ -21,9 +21,12 @@ class Crank {
  public:
   /// Turns through one chunk; speed goes linearly from `f_from` to `f_to` cycles a second. Thread: RT.
   void turn(double f_from, double f_to, double sample_rate) noexcept {
-    for (int n = 0; n < kChunk; ++n) {
-      angle_[static_cast<std::size_t>(n)] = next_;
-      next_ += (f_from + (f_to - f_from) * (n + 0.5) / kChunk) / sample_rate;
+    const double rise = (f_to - f_from) / (kChunk * sample_rate);
+    double step = f_from / sample_rate + 0.5 * rise;  // cycles from one sample to the next
+    for (double& angle : angle_) {
+      angle = next_;
+      next_ += step;
+      step += rise;
     }
     first_cycle_ = cycle_;
     const double whole = std::floor(next_);
@@ -37,9 +40,8 @@ class Crank {
     span.base = first_cycle_ * samples + static_cast<std::int64_t>(start);
     for (std::size_t n = 0; n < kChunk; ++n) {
       const double at = angle_[n] * samples - start;
-      const double whole = std::floor(at);
-      span.offset[n] = static_cast<int>(whole);
-      span.fraction[n] = at - whole;
+      span.offset[n] = static_cast<int>(at);  // never before the start
+      span.fraction[n] = at - span.offset[n];
     }
     span.count = span.offset[kChunk - 1] + 1;
   }

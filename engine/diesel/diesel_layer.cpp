@@ -2,21 +2,19 @@
 
 #include <algorithm>
 
+#include "diesel/angle_reader.hpp"
 #include "diesel/crank.hpp"
 #include "diesel/high_layer.hpp"
 #include "diesel/hydraulic_voice.hpp"
 #include "diesel/low_layer.hpp"
 #include "diesel/start_stop.hpp"
 #include "rigsound/dsp/butterworth.hpp"
-#include "rigsound/dsp/interpolation_kernel.hpp"
 #include "rigsound/dsp/linear_prediction.hpp"
 #include "rigsound/machine/signal.hpp"
 
 namespace rigsound::diesel {
 namespace {
 
-constexpr int kTaps = 16, kPhases = 256;
-constexpr double kBeta = 8;
 constexpr int kMaxSpan = 512;  // angle samples a chunk reaches over at 4000 r/min and 32 kHz
 constexpr double kLowest_rpm = 1;
 
@@ -39,13 +37,11 @@ class DieselLayer::Voice {
         sample_rate_(sample_rate),
         load_slope_db_(one_load(checked(model_)) ? model_.load_slope_db : 0.0),
         grid_(model_, sample_rate),
-        kernel_(kTaps, kPhases, kBeta),
         high_(model_, sample_rate, seed),
         low_(model_, seed),
         body_(dsp::all_pole_at_rate({model_.body_filter.begin(), model_.body_filter.end()},
                                     model_.sample_rate, sample_rate)),
-        over_(dsp::Pass::kHigh, model_.crossover_hz, sample_rate),
-        under_(dsp::Pass::kLow, model_.crossover_hz, sample_rate),
+        crossover_(model_.crossover_hz, sample_rate),
         tones_(model_.oscillators, sample_rate, seed, 46),
         hydraulic_(model_, sample_rate, seed),
         start_stop_(model_, sample_rate, idle_rpm) {}
@@ -56,16 +52,16 @@ class DieselLayer::Voice {
  private:
   void set_speed(double rpm) noexcept;
   void run(double* out) noexcept;
-  void table_segment(const AngleSpan& span, int count, double* out) noexcept;
+  void table_segment(const AngleSpan& span, int count, float* out) noexcept;
 
   DieselModel model_;
   double sample_rate_, load_slope_db_;
   OperatingGrid grid_;
-  dsp::InterpolationKernel kernel_;
+  AngleReader reader_;
   HighLayer high_;
   LowLayer low_;
   dsp::AllPole body_;
-  dsp::Butterworth6 over_, under_;
+  dsp::Crossover6 crossover_;
   ToneBank tones_;
   HydraulicVoice hydraulic_;
   StartStop start_stop_;
@@ -84,58 +80,61 @@ void DieselLayer::Voice::set_speed(double rpm) noexcept {
   if (rpm == 0 && rpm_.to < kLowest_rpm) rpm_.to = 0;
 }
 
-void DieselLayer::Voice::table_segment(const AngleSpan& span, int count, double* out) noexcept {
-  const auto mixed = [&](const GridPlace& place, double* y) {
+void DieselLayer::Voice::table_segment(const AngleSpan& span, int count, float* out) noexcept {
+  const auto mixed = [&](const GridPlace& place, float* y) {
     const int N = model_.angle_samples;
-    int from = static_cast<int>((span.base + kernel_.first() + N) % N), done = 0;
+    int from = static_cast<int>((span.base + AngleReader::kFirst + N) % N), done = 0;
     while (done < count) {
       const int run = std::min(count - done, N - from);
-      grid_.mix(place, &OperatingState::table, from, run, y + done);
+      grid_.table(place, from, run, y + done);
       done += run, from = 0;
     }
   };
   mixed(at_.place, out);
   if (before_.index == at_.place.index && before_.weight == at_.place.weight) return;
   // From the place of the last chunk to this one sample by sample: a change at once would buzz.
-  std::array<double, kMaxSpan> old;
+  std::array<float, kMaxSpan> old;
   mixed(before_, old.data());
-  for (int i = 0; i < count; ++i)
-    out[i] = old[static_cast<std::size_t>(i)] + (out[i] - old[static_cast<std::size_t>(i)]) * (i + 1) / count;
+  const float step = 1 / static_cast<float>(count);
+  for (int i = 0; i < count; ++i) {
+    const float from = old[static_cast<std::size_t>(i)];
+    out[i] = from + (out[i] - from) * (static_cast<float>(i + 1) * step);
+  }
 }
 
 void DieselLayer::Voice::run(double* out) noexcept {
   crank_.turn(cycles_per_second(rpm_.from), cycles_per_second(rpm_.to), sample_rate_);
   crank_.span(model_.angle_samples, fine_);
   crank_.span(model_.low_channels, coarse_);
-  const int fine_count = fine_.count + kTaps, coarse_count = coarse_.count + kTaps;
-  high_.produce(fine_.base + kernel_.first() + fine_count, grid_, at_);
-  low_.produce(coarse_.base + kernel_.first() + coarse_count, grid_, at_.place);
+  const int fine_count = fine_.count + AngleReader::kTaps, coarse_count = coarse_.count + AngleReader::kTaps;
+  high_.produce(fine_.base + AngleReader::kFirst + fine_count, grid_, at_);
+  low_.produce(coarse_.base + AngleReader::kFirst + coarse_count, grid_, at_.place);
 
-  std::array<double, kMaxSpan> table, high, low;
+  std::array<float, kMaxSpan> table, high, low;
   table_segment(fine_, fine_count, table.data());
-  high_.ring().read(fine_.base + kernel_.first(), fine_count, high.data());
-  low_.ring().read(coarse_.base + kernel_.first(), coarse_count, low.data());
+  high_.ring().read(fine_.base + AngleReader::kFirst, fine_count, high.data());
+  low_.ring().read(coarse_.base + AngleReader::kFirst, coarse_count, low.data());
 
-  std::array<double, kTaps> w;
-  std::array<double, kChunk> rough;
+  std::array<float, kChunk> rough, soft;
   for (std::size_t n = 0; n < kChunk; ++n) {
-    kernel_.weights(fine_.fraction[n], w.data());
-    out[n] = dsp::dot(w.data(), table.data() + fine_.offset[n], kTaps);
-    rough[n] = dsp::dot(w.data(), high.data() + fine_.offset[n], kTaps);
+    const AngleReader::Weights fine = reader_.weights(fine_.fraction[n]);
+    const dsp::FloatLanes read =
+        dsp::totals(AngleReader::read(fine, table.data() + fine_.offset[n]),
+                    AngleReader::read(fine, high.data() + fine_.offset[n]),
+                    AngleReader::read(reader_.weights(coarse_.fraction[n]), low.data() + coarse_.offset[n]),
+                    dsp::FloatLanes{});
+    out[n] = static_cast<double>(read[0]);
+    rough[n] = read[1];
+    soft[n] = read[2];
   }
   body_.process(rough.data(), kChunk);
-  for (std::size_t n = 0; n < kChunk; ++n) {
-    kernel_.weights(coarse_.fraction[n], w.data());
-    const double soft = dsp::dot(w.data(), low.data() + coarse_.offset[n], kTaps);
-    out[n] += under_.process(soft) + over_.process(rough[n]);
-  }
+  crossover_.add(soft.data(), rough.data(), out, kChunk);
 }
 
 bool DieselLayer::Voice::process(const DieselInput& input, double* out) noexcept {
-  std::fill(out, out + kChunk, 0.0);
   set_speed(input.rpm);
   start_stop_.advance(rpm_.to);
-  if (start_stop_.silent()) return false;
+  if (start_stop_.silent()) return std::fill(out, out + kChunk, 0.0), false;
 
   const double rpm = 0.5 * (rpm_.from + rpm_.to);
   before_ = at_.place;
@@ -145,7 +144,7 @@ bool DieselLayer::Voice::process(const DieselInput& input, double* out) noexcept
   load_gain_.go_to(load_slope_db_ == 0
                        ? 1.0
                        : dsp::gain_of_db(load_slope_db_ * (input.load - model_.points.front().load)));
-  dsp::scale(start_stop_.gain(), out, kChunk);
+  if (!start_stop_.gain().rests_at(1)) dsp::scale(start_stop_.gain(), out, kChunk);
   if (!load_gain_.rests_at(1)) dsp::scale(load_gain_, out, kChunk);
   hydraulic_.add(cycles_per_second(rpm), input.feed, start_stop_.gain().to, out);
   start_stop_.add_to(out);
@@ -156,8 +155,7 @@ void DieselLayer::Voice::reset() noexcept {
   high_.reset();
   low_.reset();
   body_.reset();
-  over_.reset();
-  under_.reset();
+  crossover_.reset();
   hydraulic_.reset();
 }
 

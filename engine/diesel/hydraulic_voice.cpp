@@ -1,5 +1,6 @@
 #include "diesel/hydraulic_voice.hpp"
 
+#include "rigsound/dsp/energy.hpp"
 #include "rigsound/dsp/linear_prediction.hpp"
 #include "rigsound/machine/limits.hpp"
 
@@ -25,12 +26,10 @@ std::vector<double> colour(const DieselModel& model, double sample_rate) {
 
 /// What white noise of unit variance becomes behind 1/A.
 double rms_of(const std::vector<double>& a) {
-  std::vector<double> response(kResponse, 0.0);
+  std::vector<float> response(kResponse, 0.0F);
   response[0] = 1;
   dsp::AllPole(a).process(response.data(), kResponse);
-  double energy = 0;
-  for (const double y : response) energy += y * y;
-  return std::sqrt(energy);
+  return std::sqrt(dsp::energy(response));
 }
 
 }  // namespace
@@ -46,8 +45,8 @@ void HydraulicVoice::add(double f, double feed, double running, double* out) noe
   gain_.go_to(feed > 1e-4 ? running * dsp::pow(feed, exponent_) : 0.0);
   if (gain_.rests_at(0)) return;
   pump_.add(f, gain_, out);
-  double flow[kChunk];
-  for (double& v : flow) v = flow_ * random_.white(sample_++, 0);
+  float flow[kChunk];
+  for (float& v : flow) v = static_cast<float>(flow_ * random_.white(sample_++, 0));
   colour_.process(flow, kChunk);
   dsp::add_scaled(gain_, flow, out, kChunk);
 }

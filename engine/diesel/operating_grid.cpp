@@ -5,6 +5,7 @@
 #include "diesel/source_point.hpp"
 #include "rigsound/dsp/elementary.hpp"
 #include "rigsound/dsp/fft.hpp"
+#include "rigsound/dsp/lanes.hpp"
 
 namespace rigsound::diesel {
 namespace {
@@ -106,7 +107,23 @@ void OperatingGrid::mix(const GridPlace& place, std::vector<float> OperatingStat
   for (std::size_t n = 0; n < place.index.size(); ++n) {
     if (place.weight[n] == 0) continue;
     const float* values = (state(place.index[n]).*member).data() + first;
-    for (int i = 0; i < count; ++i) out[i] += place.weight[n] * static_cast<double>(values[i]);
+    int i = 0;
+    for (; i + 1 < count; i += 2)
+      dsp::store(out + i, dsp::load(out + i) + place.weight[n] * dsp::load(values + i));
+    if (i < count) out[i] += place.weight[n] * static_cast<double>(values[i]);
+  }
+}
+
+void OperatingGrid::table(const GridPlace& place, int first, int count, float* out) const noexcept {
+  std::fill(out, out + count, 0.0F);
+  for (std::size_t n = 0; n < place.index.size(); ++n) {
+    if (place.weight[n] == 0) continue;
+    const float* const values = state(place.index[n]).table.data() + first;
+    const auto weight = static_cast<float>(place.weight[n]);
+    int i = 0;
+    for (; i + 3 < count; i += 4)
+      dsp::store_floats(out + i, dsp::load_floats(out + i) + weight * dsp::load_floats(values + i));
+    for (; i < count; ++i) out[i] += weight * values[i];
   }
 }
 

@@ -36,6 +36,8 @@ class OperatingGrid {
   /// sum over the neighbours of `member`[i], for i = first ... first + count - 1. Thread: RT.
   void mix(const GridPlace& place, std::vector<float> OperatingState::*member, int first, int count,
            double* out) const noexcept;
+  /// The same of their tables, in float. Thread: RT.
+  void table(const GridPlace& place, int first, int count, float* out) const noexcept;
   double rho(const GridPlace& place) const noexcept;
 
  private:

@@ -14,6 +14,7 @@ constexpr double kFade_s = 0.04;
 constexpr double kHandover_s = 0.3;  // before the start's end the running engine comes in
 constexpr double kTurning_rpm = 20;  // from here on somebody cranks
 constexpr double kStands_rpm = 1;
+constexpr double kArrived = 1e-5;  // an exponential never does
 
 std::vector<float> at_rate(const std::vector<float>& x, double from, double to) {
   if (from == to || x.empty()) return x;
@@ -89,7 +90,7 @@ void StartStop::advance(double rpm) noexcept {
   follow(rpm);
   const double wanted = target(rpm);
   gain_.go_to(dsp::approached(gain_.to, wanted, smoothing_));
-  if (wanted == 0 && gain_.to < 1e-5) gain_.to = 0;
+  if (std::fabs(gain_.to - wanted) < kArrived) gain_.to = wanted;
 }
 
 void StartStop::add_to(double* out) noexcept {

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "rigsound/dsp/lanes.hpp"
+
 namespace rigsound::dsp {
 namespace {
 
@@ -124,6 +126,23 @@ double cos(double x) noexcept {
   int quadrant;
   const double r = reduce(x, quadrant);
   return by_quadrant(r, (quadrant + 1) & 3);
+}
+
+SinCos sin_cos(double x) noexcept {
+  int quadrant;
+  const double r = reduce(x, quadrant), z = r * r;
+  // sin_core and cos_core side by side, term by term.
+  Lanes p = {1.0 / 355687428096000.0, -1.0 / 6402373705728000.0};
+  p = p * z + Lanes{-1.0 / 1307674368000.0, 1.0 / 20922789888000.0};
+  p = p * z + Lanes{1.0 / 6227020800.0, -1.0 / 87178291200.0};
+  p = p * z + Lanes{-1.0 / 39916800.0, 1.0 / 479001600.0};
+  p = p * z + Lanes{1.0 / 362880.0, -1.0 / 3628800.0};
+  p = p * z + Lanes{-1.0 / 5040.0, 1.0 / 40320.0};
+  p = p * z + Lanes{1.0 / 120.0, -1.0 / 720.0};
+  p = p * z + Lanes{-1.0 / 6.0, 1.0 / 24.0};
+  const double s = r + r * (z * p[0]), c = 1.0 - (0.5 * z - z * (z * p[1]));
+  const double sine = (quadrant & 1) ? c : s, cosine = (quadrant & 1) ? s : c;
+  return {(quadrant & 2) ? -sine : sine, ((quadrant + 1) & 2) ? -cosine : cosine};
 }
 
 double atan(double x) noexcept {

@@ -1,10 +1,46 @@
 #include "rigsound/dsp/fft.hpp"
 
+#include <cstring>
+#include <type_traits>
 #include <utility>
 
 #include "rigsound/dsp/elementary.hpp"
+#include "rigsound/dsp/lanes.hpp"
 
 namespace rigsound::dsp {
+
+namespace {
+
+template <class T>
+using Wide = std::conditional_t<std::is_same_v<T, float>, FloatLanes, Lanes>;
+template <class T>
+constexpr int kWide = sizeof(Wide<T>) / sizeof(T);
+
+template <class V, class T>
+V values_at(const T* p) noexcept {
+  V v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+
+template <class V, class T>
+void put_at(T* p, V v) noexcept {
+  std::memcpy(p, &v, sizeof v);
+}
+
+/// Of one pair of halves; as many side by side as a V holds.
+template <class V, class T>
+void butterflies(T* re, T* im, int half, const T* c, const T* s) noexcept {
+  for (int j = 0; j < half; j += static_cast<int>(sizeof(V) / sizeof(T))) {
+    const V r0 = values_at<V>(re + j), i0 = values_at<V>(im + j), r1 = values_at<V>(re + half + j),
+            i1 = values_at<V>(im + half + j), cs = values_at<V>(c + j), sn = values_at<V>(s + j);
+    const V ur = r1 * cs - i1 * sn, ui = r1 * sn + i1 * cs;
+    put_at(re + half + j, V(r0 - ur)), put_at(im + half + j, V(i0 - ui));
+    put_at(re + j, V(r0 + ur)), put_at(im + j, V(i0 + ui));
+  }
+}
+
+}  // namespace
 
 template <class T>
 Fft<T>::Fft(int size) : size_(size), reversed_(static_cast<std::size_t>(size)) {
@@ -27,18 +63,16 @@ void Fft<T>::forward(T* re, T* im) const noexcept {
     const int j = reversed_[static_cast<std::size_t>(i)];
     if (i < j) std::swap(re[i], re[j]), std::swap(im[i], im[j]);
   }
-  const T* c = cos_.data();
-  const T* s = sin_.data();
-  for (int half = 1; half < size_; c += half, s += half, half *= 2)
-    for (int start = 0; start < size_; start += 2 * half) {
-      T *r0 = re + start, *i0 = im + start, *r1 = r0 + half, *i1 = i0 + half;
-      for (int j = 0; j < half; ++j) {
-        const T ur = r1[j] * c[j] - i1[j] * s[j];
-        const T ui = r1[j] * s[j] + i1[j] * c[j];
-        r1[j] = r0[j] - ur, i1[j] = i0[j] - ui;
-        r0[j] += ur, i0[j] += ui;
-      }
-    }
+  for (int i = 0; i + 1 < size_; i += 2) {  // the first stage turns nothing
+    const T r = re[i + 1], q = im[i + 1];
+    re[i + 1] = re[i] - r, im[i + 1] = im[i] - q;
+    re[i] += r, im[i] += q;
+  }
+  const T *c = cos_.data() + 1, *s = sin_.data() + 1;
+  for (int half = 2; half < size_; c += half, s += half, half *= 2)
+    for (int start = 0; start < size_; start += 2 * half)
+      half < kWide<T> ? butterflies<T>(re + start, im + start, half, c, s)
+                      : butterflies<Wide<T>>(re + start, im + start, half, c, s);
 }
 
 template class Fft<float>;

@@ -36,11 +36,11 @@ Mdct<T>::Mdct(int M) : M_(M), fast_(is_fast(M)), fft_(fast_ ? M / 2 : 1), u_(sta
 }
 
 template <class T>
-void Mdct<T>::dct4(T* u) noexcept {
+void Mdct<T>::dct4(const T* x, T* u) noexcept {
   const int H = M_ / 2;
   const T *c = twist_cos_.data(), *s = twist_sin_.data();
   for (int n = 0; n < H; ++n) {
-    const T a = u[2 * n], b = u[M_ - 1 - 2 * n];
+    const T a = x[2 * n], b = x[M_ - 1 - 2 * n];
     re_[static_cast<std::size_t>(n)] = a * c[n] + b * s[n];
     im_[static_cast<std::size_t>(n)] = b * c[n] - a * s[n];
   }
@@ -70,7 +70,7 @@ void Mdct<T>::analyse(const T* x, T* X) noexcept {
     X[k] = -x[3 * H - 1 - k] * w[3 * H - 1 - k] - x[3 * H + k] * w[3 * H + k];
     X[H + k] = x[k] * w[k] - x[M_ - 1 - k] * w[M_ - 1 - k];
   }
-  dct4(X);
+  dct4(X, X);
 }
 
 template <class T>
@@ -90,8 +90,7 @@ void Mdct<T>::synthesise(const T* X, T* overlap, T* y) noexcept {
   const int H = M_ / 2;
   const T* w = window_.data();
   T* u = u_.data();
-  for (int k = 0; k < M_; ++k) u[k] = X[k];
-  dct4(u);
+  dct4(X, u);
   for (int k = 0; k < H; ++k) {
     y[k] = overlap[k] + u[H + k] * w[k];
     y[H + k] = overlap[H + k] - u[M_ - 1 - k] * w[H + k];

@@ -41,6 +41,16 @@ TEST_CASE("elementary functions agree with libm to a few units in the last place
             dsp::atan, [](double x) { return std::atan(x); }, -30, 30, false) < 1e-15);
 }
 
+TEST_CASE("sine and cosine together are the sine and the cosine, bit for bit") {
+  const dsp::RandomField random(2, 7);
+  for (std::uint64_t i = 0; i < 20000; ++i) {
+    const double x = (random.uniform(i, 0) - 0.5) * (i % 2 == 0 ? 20 : 2e4);
+    const dsp::SinCos both = dsp::sin_cos(x);
+    CHECK(both.sin == dsp::sin(x));
+    CHECK(both.cos == dsp::cos(x));
+  }
+}
+
 TEST_CASE("atan2 covers all quadrants") {
   for (int i = 0; i < 360; i += 5) {
     const double angle = (i - 179) * dsp::kPi / 180;

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "drill/tilt_filter.hpp"
-#include "rigsound/dsp/all_pole.hpp"
 #include "rigsound/dsp/biquad.hpp"
 #include "rigsound/dsp/ramp.hpp"
 
@@ -16,7 +15,7 @@ namespace {
 
 /// A recursive filter that one bad sample has got into.
 struct FailingLayer {
-  dsp::AllPole filter{{1.0, -0.5}};
+  dsp::Biquad filter{{1, 0, 0, -0.5, 0}};
 
   void process(double input, mix::Bus& bus) {
     for (double& x : bus.x) x = 0.25;

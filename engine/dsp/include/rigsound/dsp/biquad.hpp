@@ -9,15 +9,28 @@ struct BiquadCoefficients {
   double b0 = 1, b1 = 0, b2 = 0, a1 = 0, a2 = 0;
 };
 
+/// A filter of its own in each lane.
+struct LaneCoefficients {
+  LaneCoefficients() = default;
+  LaneCoefficients(const BiquadCoefficients& first, const BiquadCoefficients& second) noexcept
+      : b0{first.b0, second.b0},
+        b1{first.b1, second.b1},
+        b2{first.b2, second.b2},
+        a1{first.a1, second.a1},
+        a2{first.a2, second.a2} {}
+
+  Lanes b0{1, 1}, b1{}, b2{}, a1{}, a2{};
+};
+
 /// Peaking equaliser of R. Bristow-Johnson's cookbook; frequency in Hz below sample_rate / 2. Thread: OFF.
 BiquadCoefficients peaking(double frequency_hz, double gain_db, double q, double sample_rate);
 
 /// `Sample`: double, or Lanes for two channels side by side.
-template <class Sample>
+template <class Sample, class Coefficients = BiquadCoefficients>
 class BiquadOf {
  public:
   BiquadOf() = default;
-  explicit BiquadOf(const BiquadCoefficients& c) noexcept : c_(c) {}
+  explicit BiquadOf(const Coefficients& c) noexcept : c_(c) {}
 
   Sample process(Sample x) noexcept {
     const Sample y = c_.b0 * x + s1_;
@@ -46,7 +59,7 @@ class BiquadOf {
   bool rests() const noexcept { return total(s1_ * s1_ + s2_ * s2_) == 0; }  ///< zeros give zeros
 
  private:
-  BiquadCoefficients c_;
+  Coefficients c_;
   Sample s1_{}, s2_{};
 };
 

@@ -18,6 +18,10 @@ double exp(double x) noexcept;  ///< e^x; 0 below -708, e^708 above 708
 double log(double x) noexcept;  ///< ln x; -745 for x <= 0
 double sin(double x) noexcept;  ///< x in radians
 double cos(double x) noexcept;
+struct SinCos {
+  double sin, cos;
+};
+SinCos sin_cos(double x) noexcept;          ///< both, for little more than one
 double atan(double x) noexcept;             ///< -pi/2...pi/2
 double atan2(double y, double x) noexcept;  ///< -pi...pi; 0 at the origin
 

@@ -63,15 +63,29 @@ inline FloatLanes load_floats(const float* p) noexcept {
   return v;
 }
 
-/// As dot() of doubles, in two accumulators of four lanes; lanes are added as (0 + 2) + (1 + 3). Thread: RT.
+inline void store_floats(float* p, FloatLanes v) noexcept { std::memcpy(p, &v, sizeof v); }
+
+/// Lanes (0 + 2) + (1 + 3). Thread: RT.
+inline float total(FloatLanes x) noexcept {
+  const FloatLanes pairs = x + __builtin_shufflevector(x, x, 2, 3, 0, 1);
+  return pairs[0] + pairs[1];
+}
+
+/// total() of each, side by side. Thread: RT.
+inline FloatLanes totals(FloatLanes a, FloatLanes b, FloatLanes c, FloatLanes d) noexcept {
+  const FloatLanes ab = __builtin_shufflevector(a, b, 0, 4, 1, 5) + __builtin_shufflevector(a, b, 2, 6, 3, 7);
+  const FloatLanes cd = __builtin_shufflevector(c, d, 0, 4, 1, 5) + __builtin_shufflevector(c, d, 2, 6, 3, 7);
+  return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+}
+
+/// As dot() of doubles, in two accumulators of four lanes. Thread: RT.
 inline float dot(const float* a, const float* b, int n) noexcept {
   FloatLanes s0{}, s1{};
   for (int i = 0; i < n; i += 8) {
     s0 += load_floats(a + i) * load_floats(b + i);
     s1 += load_floats(a + i + 4) * load_floats(b + i + 4);
   }
-  const FloatLanes s = s0 + s1;
-  return (s[0] + s[2]) + (s[1] + s[3]);
+  return total(s0 + s1);
 }
 
 }  // namespace rigsound::dsp

@@ -26,7 +26,7 @@ class Mdct {
   void synthesise(const T* X, T* overlap, T* y) noexcept;
 
  private:
-  void dct4(T* u) noexcept;
+  void dct4(const T* x, T* u) noexcept;  // also in place
 
   int M_;
   bool fast_;

@@ -28,8 +28,9 @@ void scale(const Ramp& ramp, Sample* x, int count) noexcept {
   for (int n = 0; n < count; ++n) x[n] *= ramp.from + step * (n + 1);
 }
 
-/// y[n] += ramp times x[n], `count` even. Thread: RT.
-inline void add_scaled(const Ramp& ramp, const double* x, double* y, int count) noexcept {
+/// y[n] += ramp times x[n], numbers of either size, `count` even. Thread: RT.
+template <class Sample>
+void add_scaled(const Ramp& ramp, const Sample* x, double* y, int count) noexcept {
   const double step = (ramp.to - ramp.from) / count;
   Lanes place = {1, 2};
   for (int n = 0; n < count; n += 2, place += 2.0)

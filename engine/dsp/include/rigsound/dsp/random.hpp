@@ -28,7 +28,8 @@ class RandomField {
 
   /// Uniform in [0, 1). `field` < 64 tells apart the draws made for one index.
   constexpr double uniform(std::uint64_t index, std::uint64_t field) const noexcept {
-    return static_cast<double>(bits(index, field) >> 11) * 0x1p-53;
+    // 53 bits fit a signed number, which every processor converts in one step.
+    return static_cast<double>(static_cast<std::int64_t>(bits(index, field) >> 11)) * 0x1p-53;
   }
 
   /// White noise of zero mean and unit variance, uniform: cheaper than normal() where the ear cannot tell.
