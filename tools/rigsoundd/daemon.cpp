@@ -22,7 +22,8 @@ namespace {
 
 constexpr double kPoll_s = 0.1, kStep_s = 0.005;
 constexpr double kMuteFade_s = 0.1;
-constexpr double kRingOut_s = 0.35;  // longer than the engine takes to follow a shut gate: at the end 1e-6 is silence
+constexpr double kRingOut_s =
+    0.35;  // longer than the engine takes to follow a shut gate: at the end 1e-6 is silence
 constexpr double kControlIdle_s = 3600, kMetricsIdle_s = 10;
 constexpr double kExposureFade_s = 0.1;  // as long as a window
 constexpr double kSaidFrom_db = 0.5;

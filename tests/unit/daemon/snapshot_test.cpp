@@ -83,7 +83,8 @@ TEST_CASE("A calibrated rig knows how loud it is, and turns itself down before i
   CHECK(status(rig.socket())["exposure"]["lex_8h_db"] == 0);
   ask(rig.socket(), {{"command", "set"}, {"key", "engine_rpm"}, {"value", 1500}});
   const auto turned_down = [](const nlohmann::json& s) {
-    return s["exposure"]["turned_down_db"] > 3 && s["meters"]["output_gain"] < 0.9;  // a tenth of a second later
+    return s["exposure"]["turned_down_db"] > 3 &&
+           s["meters"]["output_gain"] < 0.9;  // a tenth of a second later
   };
   const nlohmann::json loud = status_when(rig.socket(), turned_down);
   CHECK(loud["exposure"]["turned_down_db"] > 3);

@@ -9,8 +9,8 @@
 
 namespace rigsound::test {
 
-const inline std::filesystem::path kDemo = std::filesystem::path(RIGSOUND_CONFIG) / "rigs/demo.toml";
-const inline std::filesystem::path kDbc = std::filesystem::path(RIGSOUND_CONFIG) / "dbc/rig.dbc";
+inline const std::filesystem::path kDemo = std::filesystem::path(RIGSOUND_CONFIG) / "rigs/demo.toml";
+inline const std::filesystem::path kDbc = std::filesystem::path(RIGSOUND_CONFIG) / "dbc/rig.dbc";
 
 /// A bus with one signal of the bundled DBC.
 inline std::string minimal() {
