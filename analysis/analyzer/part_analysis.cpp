@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "rigsound/machine/input_error.hpp"
 
@@ -17,8 +16,8 @@ std::string title(const Part& part) {
 
 }  // namespace
 
-Recording read_part(const Part& part) {
-  if (part.whole()) return read_recording(part.recording);
+LongRecording read_part(const Part& part, SampleFile& file) {
+  if (part.whole()) return read_long_recording(part.recording, {}, file);
   const double duration = recording_seconds(part.recording);
   if (part.label.end_s > duration + kLabelSlack_s)
     throw InputError(part.labels.string(), part.label.line, "end",
@@ -28,18 +27,19 @@ Recording read_part(const Part& part) {
     throw InputError(part.labels.string(), part.label.line, "end",
                      fmt::format("the part is {:.3f} s long, expected {} s or more",
                                  part.label.end_s - part.label.start_s, kMinRecordingSeconds));
-  return read_recording(part.recording, {part.label.start_s, part.label.end_s});
+  return read_long_recording(part.recording, {part.label.start_s, part.label.end_s}, file);
 }
 
-PartAnalysis analyse_part(const Part& part, Recording recording, const AnalyzerOptions& options) {
+PartAnalysis analyse_part(const Part& part, const Samples& recorded, SampleFile& file,
+                          const AnalyzerOptions& options) {
   PartAnalysis analysis;
   analysis.start_s = part.label.start_s;
-  analysis.recorded = std::move(recording.mono);
+  analysis.recorded = recorded;
   ChainOptions chain;
   chain.method = options.method;
   chain.denoise = options.denoise;
   chain.labelled = part.labelled;
-  analysis.chain = run_chain_in_segments(analysis.recorded, chain);
+  analysis.chain = run_chain_in_segments(recorded, file, chain);
   const ChainResult& whole = analysis.chain.joined;
   if (!whole.drilling_found)
     throw InputError(title(part), fmt::format("no {} found ({}), expected percussive drilling",

@@ -53,9 +53,10 @@ std::vector<Task> tasks_of(const std::vector<Part>& parts, const AnalyzerOptions
 }
 
 AnalysedPart analyse(Task& task, const std::string& sha256, const AnalyzerOptions& options) {
-  Recording recording = read_part(task.part);
+  SampleFile file;
+  const LongRecording recording = read_part(task.part, file);
   task.notes = reading_notes(task.part.recording, recording);
-  const PartAnalysis analysis = analyse_part(task.part, std::move(recording), options);
+  const PartAnalysis analysis = analyse_part(task.part, recording.mono, file, options);
   const std::string where = stretches_text(analysis.chain.joined.verdict);
   if (!task.part.labelled && !where.empty())
     task.notes.push_back(fmt::format("{}: {}", task.part.recording.string(), where));

@@ -56,7 +56,7 @@ BankFigures figures_of(const Segments& segments, const ClickBank& bank, const Ba
   BankFigures f;
   double energy = 0, frames = 0;
   for (const DrillingSegment& s : segments) {
-    for (const float v : s.result.drilling) energy += static_cast<double>(v) * v;
+    for (const float v : s.result.drilling.all()) energy += static_cast<double>(v) * v;
     frames += static_cast<double>(s.result.drilling.size());
   }
   f.rate_hz = bank.sample_rate / bank.mean_gap_samples;
@@ -103,7 +103,7 @@ BuiltBank build_bank(const SegmentedResult& recording, Method method, int count,
     for (auto& click : bank.clicks) finish(click);
   } else {
     set_gap_statistics(onsets, bank);
-    bank.clicks = extract_masked(segments, candidates, choose_by_cover(candidates, wanted));
+    bank.clicks = extract_masked(segments, candidates, choose_by_cover(segments, candidates, wanted));
     for (auto& click : bank.clicks) finish(click);
     equalise(bank, target);
     set_level(bank, drilling_power(segments) * power(target) /

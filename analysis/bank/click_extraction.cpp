@@ -1,6 +1,8 @@
 #include "bank/click_extraction.hpp"
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <utility>
 
 #include "bank/click_masks.hpp"
 #include "clicks/whitening.hpp"
@@ -27,16 +29,28 @@ std::vector<float> coloured(const std::vector<float>& x, const Eigen::ArrayXd& A
 
 }  // namespace
 
+void for_each_click(const Segments& segments, const std::vector<ClickCandidate>& candidates,
+                    std::vector<std::size_t> wanted,
+                    const std::function<void(std::size_t candidate, std::vector<float> click)>& listener) {
+  std::sort(wanted.begin(), wanted.end());
+  for (auto it = wanted.begin(); it != wanted.end();) {
+    const std::size_t s = candidates[*it].segment;
+    const ChainResult& segment = segments[s].result;
+    const std::vector<float> drilling = segment.drilling.all();
+    const ClickMasks masks(segment.clicks, static_cast<long>(drilling.size()));
+    for (; it != wanted.end() && candidates[*it].segment == s; ++it)
+      listener(*it, masks.extract(drilling, candidates[*it].click));
+  }
+}
+
 std::vector<std::vector<float>> extract_masked(const Segments& segments,
                                                const std::vector<ClickCandidate>& candidates,
                                                const std::vector<std::size_t>& chosen) {
   std::vector<std::vector<float>> clicks(chosen.size());
-  for (std::size_t s = 0; s < segments.size(); ++s) {
-    const ClickMasks masks(segments[s].result.clicks, static_cast<long>(segments[s].result.drilling.size()));
-    for (std::size_t k = 0; k < chosen.size(); ++k)
-      if (candidates[chosen[k]].segment == s)
-        clicks[k] = masks.extract(segments[s].result.drilling, candidates[chosen[k]].click);
-  }
+  for_each_click(segments, candidates, chosen, [&](std::size_t candidate, std::vector<float> click) {
+    const auto place = std::find(chosen.begin(), chosen.end(), candidate) - chosen.begin();
+    clicks[static_cast<std::size_t>(place)] = std::move(click);
+  });
   return clicks;
 }
 
@@ -45,7 +59,7 @@ std::vector<std::vector<float>> extract_whitened(const Segments& segments,
                                                  const std::vector<std::size_t>& chosen) {
   std::vector<std::vector<float>> clicks(chosen.size());
   for (std::size_t s = 0; s < segments.size(); ++s) {
-    const std::vector<float>& x = segments[s].result.drilling;
+    const std::vector<float> x = segments[s].result.drilling.all();
     const Eigen::ArrayXd A = lpc_whitener(x, kOrder);
     const Eigen::ArrayXf white = whiten(x, A).cast<float>();
     const std::vector<float> y(white.data(), white.data() + white.size());

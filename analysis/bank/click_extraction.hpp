@@ -1,11 +1,19 @@
 // Step 7: the chosen clicks, cut out of their neighbours.
 #pragma once
 
+#include <functional>
+
 #include "bank/candidates.hpp"
 
 namespace rigsound::analysis {
 
-/// The clicks `chosen` of `candidates`, masked in the drilling itself. Thread: OFF.
+/// Calls `listener` with each of the `wanted` of `candidates` and its sound, masked in the drilling itself,
+/// in the order of time: one segment is in memory. Thread: OFF.
+void for_each_click(const Segments& segments, const std::vector<ClickCandidate>& candidates,
+                    std::vector<std::size_t> wanted,
+                    const std::function<void(std::size_t candidate, std::vector<float> click)>& listener);
+
+/// The same, in the order of `chosen`. Thread: OFF.
 std::vector<std::vector<float>> extract_masked(const Segments& segments,
                                                const std::vector<ClickCandidate>& candidates,
                                                const std::vector<std::size_t>& chosen);

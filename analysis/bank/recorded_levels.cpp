@@ -57,7 +57,7 @@ double energy(const std::vector<float>& x, int from, int to) {
 
 std::vector<float> first_to_last_click(const DrillingSegment& s) {
   const std::vector<int> P = own_onsets(s);
-  return {s.result.drilling.begin() + P.front(), s.result.drilling.begin() + P.back()};
+  return s.result.drilling.piece(static_cast<std::size_t>(P.front()), static_cast<std::size_t>(P.back()));
 }
 
 }  // namespace
@@ -94,10 +94,11 @@ double drilling_power(const Segments& segments) {
   for (const DrillingSegment& s : segments) {
     const std::vector<int> P = own_onsets(s);
     const double longest = kPausePeriods * median_gap(P);
+    const std::vector<float> drilling = s.result.drilling.all();
     for (std::size_t i = 1; i < P.size(); ++i) {
       if (P[i] - P[i - 1] >= longest) continue;
       drilled += P[i] - P[i - 1];
-      sum += energy(s.result.drilling, P[i - 1], P[i]);
+      sum += energy(drilling, P[i - 1], P[i]);
     }
   }
   return sum / drilled;

@@ -92,9 +92,9 @@ ChainResult analyse_clip(const std::vector<float>& mono, const std::vector<Segme
   result.noise_psd = scaled(split.noise_psd, square);
   const Spectrogram Y = stft(split.drilling, kChainStft);
   result.output_psd = scaled(Y.abs2().cast<double>().rowwise().mean(), square);
+  for (float& sample : split.drilling) sample *= clip.level;
+  calibrate(split.drilling, result.clicks);
   result.drilling = std::move(split.drilling);
-  for (float& sample : result.drilling) sample *= clip.level;
-  calibrate(result.drilling, result.clicks);
   if (result.drilling_found && !options.labelled) keep_where_it_drills(result.verdict, result.clicks);
   return result;
 }

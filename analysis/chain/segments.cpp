@@ -92,25 +92,6 @@ ClickTrain join_clicks(const std::vector<DrillingSegment>& segments) {
   return train;
 }
 
-/// Linear ramps that sum to 1 over an overlap: both sides hold the same sound.
-std::vector<float> join_drilling(const std::vector<Segment>& segments,
-                                 const std::vector<ChainResult>& results) {
-  std::vector<float> whole(static_cast<size_t>(segments.back().end));
-  for (size_t k = 0; k < segments.size(); ++k) {
-    const long rise_end = k > 0 ? segments[k - 1].end : 0;
-    const long fall_begin = k + 1 < segments.size() ? segments[k + 1].begin : segments[k].end;
-    for (long n = segments[k].begin; n < segments[k].end; ++n) {
-      float weight = 1;
-      if (n < rise_end)
-        weight = static_cast<float>(n - segments[k].begin) / static_cast<float>(rise_end - segments[k].begin);
-      if (n >= fall_begin)
-        weight = static_cast<float>(segments[k].end - n) / static_cast<float>(segments[k].end - fall_begin);
-      whole[n] += weight * results[k].drilling[n - segments[k].begin];
-    }
-  }
-  return whole;
-}
-
 void accumulate(const std::vector<double>& psd, double weight, std::vector<double>& mean) {
   mean.resize(psd.size());
   for (size_t bin = 0; bin < psd.size(); ++bin) mean[bin] += weight * psd[bin];
@@ -141,15 +122,14 @@ const ChainResult& most_likely(const std::vector<ChainResult>& results) {
   });
 }
 
-/// All of a result but its clicks.
-ChainResult join_sound(const std::vector<Segment>& segments, const std::vector<ChainResult>& results) {
+/// All of a result but its clicks and its sound.
+ChainResult join_powers(const std::vector<Segment>& segments, const std::vector<ChainResult>& results) {
   ChainResult joined;
   joined.drilling_found =
       std::any_of(results.begin(), results.end(), [](const auto& r) { return r.drilling_found; });
   joined.verdict = join_verdicts(segments, results);
   if (std::none_of(results.begin(), results.end(), [](const auto& r) { return r.reason.empty(); }))
     joined.reason = most_likely(results).reason;
-  joined.drilling = join_drilling(segments, results);
   long total = 0;
   for (const Segment& segment : segments) total += segment.end - segment.begin;
   for (std::size_t k = 0; k < segments.size(); ++k) {
@@ -187,14 +167,33 @@ SegmentedResult join_segments(const std::vector<Segment>& segments, std::vector<
   SegmentedResult whole;
   whole.segments = static_cast<int>(segments.size());
   if (results.size() == 1)
-    whole.joined = results.front();
+    whole.joined = results.front(), whole.joined.drilling = {};
   else
-    whole.joined = join_sound(segments, results);
+    whole.joined = join_powers(segments, results);
   const std::vector<Counted> counted = counted_clicks(segments, results);
   for (std::size_t k = 0; k < segments.size(); ++k)
     if (results[k].drilling_found)
       whole.drilling.push_back({segments[k].begin, counted[k].first, counted[k].last, std::move(results[k])});
   if (segments.size() > 1 && !whole.drilling.empty()) whole.joined.clicks = join_clicks(whole.drilling);
+  return whole;
+}
+
+std::vector<float> join_drilling(const std::vector<Segment>& segments,
+                                 const std::vector<ChainResult>& results) {
+  std::vector<float> whole(static_cast<size_t>(segments.back().end));
+  for (size_t k = 0; k < segments.size(); ++k) {
+    const long rise_end = k > 0 ? segments[k - 1].end : 0;
+    const long fall_begin = k + 1 < segments.size() ? segments[k + 1].begin : segments[k].end;
+    const std::vector<float> drilling = results[k].drilling.all();
+    for (long n = segments[k].begin; n < segments[k].end; ++n) {
+      float weight = 1;
+      if (n < rise_end)
+        weight = static_cast<float>(n - segments[k].begin) / static_cast<float>(rise_end - segments[k].begin);
+      if (n >= fall_begin)
+        weight = static_cast<float>(segments[k].end - n) / static_cast<float>(segments[k].end - fall_begin);
+      whole[n] += weight * drilling[n - segments[k].begin];
+    }
+  }
   return whole;
 }
 

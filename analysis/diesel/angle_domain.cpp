@@ -27,17 +27,17 @@ std::vector<double> zero_phase(std::vector<double> x, dsp::Pass pass, double fre
 std::vector<double> interpolated(const std::vector<double>& x, const std::vector<double>& positions,
                                  const Sinc& sinc) {
   const dsp::InterpolationKernel kernel(sinc.taps, kPhases, sinc.beta, sinc.bandwidth);
-  const auto taps = static_cast<std::size_t>(sinc.taps);
-  std::vector<double> padded(taps, 0.0), w(taps), y;
-  padded.insert(padded.end(), x.begin(), x.end());
-  padded.resize(padded.size() + 2 * taps, 0.0);
+  const auto size = static_cast<std::ptrdiff_t>(x.size());
+  std::vector<double> w(static_cast<std::size_t>(sinc.taps)), edge(w.size()), y;
   y.reserve(positions.size());
-  const double last = static_cast<double>(x.size());
   for (const double position : positions) {
-    const double p = std::clamp(position, 0.0, last), whole = std::floor(p);
+    const double p = std::clamp(position, 0.0, static_cast<double>(size)), whole = std::floor(p);
     kernel.weights(p - whole, w.data());
-    const double* start = padded.data() + sinc.taps + static_cast<std::ptrdiff_t>(whole) + kernel.first();
-    y.push_back(dsp::dot(w.data(), start, sinc.taps));
+    const std::ptrdiff_t start = static_cast<std::ptrdiff_t>(whole) + kernel.first();
+    const bool inside = start >= 0 && start + sinc.taps <= size;
+    for (std::ptrdiff_t k = 0; !inside && k < sinc.taps; ++k)
+      edge[k] = start + k >= 0 && start + k < size ? x[start + k] : 0.0;
+    y.push_back(dsp::dot(w.data(), inside ? x.data() + start : edge.data(), sinc.taps));
   }
   return y;
 }

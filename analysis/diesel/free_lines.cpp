@@ -26,7 +26,7 @@ constexpr double kBlock_s = 1;         // in which level and phase of a line are
 
 /// The residual over time or over crank angle, cut into M channels.
 struct View {
-  Signal y;
+  const Signal& y;
   double rate = 0;  // samples a second or a cycle
   int M = 0;
   double orders = 1;  // one unit of frequency, in orders
@@ -72,20 +72,20 @@ std::vector<int> predictable_channels(const View& view, double lowest, double hi
   const int frames = static_cast<int>(X.size()) / view.M;
   std::vector<int> found;
   if (frames < kFewestFrames) return found;
-  std::vector<Signal> channels;
-  Signal power;
   const int first = std::max(1, static_cast<int>(lowest / view.width()));
   const int last = std::min(view.M - 2, static_cast<int>(highest / view.width()));
+  Signal power;
   for (int q = first - 1; q <= last + 1; ++q) {
+    power.push_back(0);
+    for (int r = 1; r + 1 < frames; ++r) power.back() += X[r * view.M + q] * X[r * view.M + q];
+  }
+  for (int q = first; q <= last; ++q) {
+    const auto i = static_cast<std::size_t>(q - first + 1);
+    if (power[i] < power[i - 1] || power[i] < power[i + 1]) continue;
     Signal channel;
     for (int r = 1; r + 1 < frames; ++r) channel.push_back(X[r * view.M + q]);
-    power.push_back(0);
-    for (const double v : channel) power.back() += v * v;
-    channels.push_back(std::move(channel));
+    if (prediction_gain(channel) > kClear) found.push_back(q);
   }
-  for (std::size_t i = 1; i + 1 < channels.size(); ++i)
-    if (power[i] >= power[i - 1] && power[i] >= power[i + 1] && prediction_gain(channels[i]) > kClear)
-      found.push_back(first - 1 + static_cast<int>(i));
   return found;
 }
 
@@ -167,6 +167,7 @@ std::vector<Complex> envelope(const Signal& x, const Signal& phase) {
 /// Phase of a line at every sample, cycles in 0...1.
 Signal phase_of(const Section& s, double frequency, Lock lock) {
   Signal phase;
+  phase.reserve(s.theta.size());
   for (std::size_t n = 0; n < s.theta.size(); ++n) {
     const double turns =
         frequency * (lock == Lock::kCrank ? s.theta[n] : static_cast<double>(n) / kAnalysisRate);
@@ -183,15 +184,19 @@ double amplitude_of(const SectionResidual& residual, const Candidate& line) {
   return c.size() < 3 ? 0 : 2 * std::sqrt(std::abs(product) / static_cast<double>(c.size() - 2));
 }
 
+std::vector<Peak> peaks_over_angle(const SectionResidual& residual, int N, double lowest, double highest) {
+  const CycleBlock block = cycles_of(*residual.section, *residual.x, 0, N);
+  return peaks_of({block.y, static_cast<double>(N), N, 1}, lowest, highest);
+}
+
 /// The lines of one section, each over time or over angle, where it is sharper.
 std::vector<Candidate> candidates_of(const SectionResidual& residual, std::size_t section, int N) {
   const Section& s = *residual.section;
   const double f0 = s.f0(), highest = 0.95 * s.nyquist_hz;
   const int M = 1 << static_cast<int>(std::log2(kAnalysisRate / f0));
   const View time{*residual.x, kAnalysisRate, M, 1 / f0};
-  const View angle{cycles_of(s, *residual.x, 0, N).y, static_cast<double>(N), N, 1};
   std::vector<Candidate> found;
-  for (const Peak& p : peaks_of(angle, kLowestLine_hz / f0, highest / f0))
+  for (const Peak& p : peaks_over_angle(residual, N, kLowestLine_hz / f0, highest / f0))
     found.push_back({section, p.frequency, p.frequency * f0, p.sharpness, 0, true});
   for (const Peak& p : peaks_of(time, kLowestLine_hz, highest)) {
     const double order = p.frequency / f0;

@@ -10,11 +10,16 @@ namespace rigsound::analysis {
 template <class T>
 std::vector<T> mdct_frames(const std::vector<T>& x, int M) {
   const std::size_t m = static_cast<std::size_t>(M), frames = x.size() / m;
-  std::vector<T> padded(m, T(0)), X((frames + 1) * m);
-  padded.insert(padded.end(), x.begin(), x.begin() + static_cast<std::ptrdiff_t>(frames * m));
-  padded.resize((frames + 2) * m, T(0));
+  std::vector<T> two(2 * m), X((frames + 1) * m);  // a frame sees the hop before it, and zeros beyond the ends
   dsp::Mdct<T> bank(M);
-  for (std::size_t t = 0; t <= frames; ++t) bank.analyse(&padded[t * m], &X[t * m]);
+  for (std::size_t t = 0; t <= frames; ++t) {
+    std::copy(two.begin() + M, two.end(), two.begin());
+    if (t < frames)
+      std::copy_n(x.begin() + static_cast<std::ptrdiff_t>(t * m), m, two.begin() + M);
+    else
+      std::fill(two.begin() + M, two.end(), T(0));
+    bank.analyse(two.data(), &X[t * m]);
+  }
   return X;
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "diesel/angle_domain.hpp"
 #include "diesel/body_filter.hpp"
@@ -36,10 +37,12 @@ int power_of_two_from(double least, int low, int high) {
 struct Work {
   const Section* section = nullptr;
   double origin = 0;
-  CycleBlock block;
+  CycleBlock block;  // its samples are there while the orders are looked for
   Orders orders;
   std::vector<double> residual, high;  // per sample of the section
   DieselPoint point;
+
+  void leave_block() { block.y = std::vector<double>(), block.open = std::vector<char>(); }
 };
 
 /// Two poles for every 375 Hz that were recorded, a multiple of the voice's eight lanes; 96 are what a block
@@ -104,12 +107,13 @@ void subtract_orders(Work& work) {
   std::vector<double> wrapped(cycle.end() - 32, cycle.end()), at;
   wrapped.insert(wrapped.end(), cycle.begin(), cycle.end());
   wrapped.insert(wrapped.end(), cycle.begin(), cycle.begin() + 32);
+  at.reserve(s.theta.size());
   for (const double theta : s.theta) {
     const double angle = theta - work.origin;
     at.push_back(32 + (angle - std::floor(angle)) * work.block.N);
   }
-  work.residual = s.x;
   const std::vector<double> repeated = interpolated(wrapped, at, {32, 10, 1});
+  work.residual = s.x;
   for (std::size_t n = 0; n < s.x.size(); ++n) work.residual[n] -= repeated[n];
 }
 
@@ -136,6 +140,7 @@ void split_high(double f_x, Work& work) {
   }
   // Only forward: an impact must not ring into the silence before it.
   dsp::Butterworth6 filter(dsp::Pass::kHigh, kBelowCrossover * f_x, kAnalysisRate);
+  work.high.reserve(work.residual.size());
   for (const double v : work.residual) work.high.push_back(filter.process(v));
 }
 
@@ -181,7 +186,7 @@ LearnedPoint report_of(const Work& work) {
   return {s.source,
           rpm_of_cycles(s.f0()),
           s.load,
-          static_cast<double>(s.x.size()) / kAnalysisRate,
+          static_cast<double>(s.theta.size()) / kAnalysisRate,
           work.block.cycles,
           s.correlation,
           work.orders.synchronous};
@@ -193,24 +198,31 @@ void learn_noise(const DieselModel& model, int grains, Work& work) {
   const auto white_cycles = [&](const std::vector<double>& high) {
     return cycles_of(s, whitened(high, A), work.origin, model.angle_samples);
   };
-  learn_slots(white_cycles(work.high), model.slots, work.point);
   if (grains > 0 && s.open.empty())
     learn_grains(white_cycles(phase_advanced(work.high, model.crossover_hz)), grains, work.point);
+  {
+    const CycleBlock white = white_cycles(std::exchange(work.high, {}));
+    learn_slots(white, model.slots, work.point);
+  }
   learn_low_layer(cycles_of(s, work.residual, work.origin, model.angle_samples), model.low_channels,
                   model.low_scales, work.point);
   gate_low_layer(s, work.residual, model.crossover_hz, model.low_channels, work.point);
 }
 
-/// The recordings hold a diesel; the pump is the formula's, as loud beside it.
-void add_hydraulics(const std::vector<Section>& sections, DieselModel& model) {
+double rms(const std::vector<Section>& sections) {
   double power = 0;
   std::size_t samples = 0;
   for (const Section& s : sections) {
     for (const double v : s.x) power += v * v;
     samples += s.x.size();
   }
+  return std::sqrt(power / static_cast<double>(samples));
+}
+
+/// The recordings hold a diesel; the pump is the formula's, as loud beside it.
+void add_hydraulics(double level, DieselModel& model) {
   model.hydraulic = default_diesel().hydraulic;
-  const double gain = std::sqrt(power / static_cast<double>(samples)) / kFormulaRms;
+  const double gain = level / kFormulaRms;
   for (float& v : model.hydraulic.pump) v *= static_cast<float>(gain);
   model.hydraulic.flow *= gain;
 }
@@ -223,8 +235,9 @@ LearnedDiesel learn_diesel(const std::vector<DieselTake>& takes, const DieselSet
       0.3;  // of the time, roughly, is the crank's; then come four rounds over the sections
   LearnedDiesel learned;
   DieselModel& model = learned.model;
-  const std::vector<Section> sections = sections_of(takes, learned.warnings, part_of(progress, 0, kTracked));
+  std::vector<Section> sections = sections_of(takes, learned.warnings, part_of(progress, 0, kTracked));
   set_shape(sections, settings, model);
+  const double level = rms(sections);
 
   const int order = settings.order > 0 ? settings.order : body_order(sections);
   std::vector<Work> work(sections.size());
@@ -237,18 +250,22 @@ LearnedDiesel learn_diesel(const std::vector<DieselTake>& takes, const DieselSet
     work[i].block = cycles_of(sections[i], sections[i].x, 0, model.angle_samples);
     work[i].orders =
         orders_of(work[i].block, 0, work[i].block.cycles, last_order(sections[i], model.angle_samples));
+    work[i].leave_block();
     step();
   }
   const std::vector<double> origins = crank_origins(work);
   std::vector<OrderLevels> moments;
   std::vector<std::vector<double>> autocorrelations;
-  for (Work& w : work) {
+  for (std::size_t i = 0; i < work.size(); ++i) {
+    Work& w = work[i];
     w.origin = origins[w.section->take];
     w.block = cycles_of(*w.section, w.section->x, w.origin, model.angle_samples);
     const int last = last_order(*w.section, model.angle_samples);
     w.orders = orders_of(w.block, 0, w.block.cycles, last);
     add_moments(w, last, moments);
     subtract_orders(w);
+    w.leave_block();
+    sections[i].x = std::vector<double>();
     step();
   }
   model.oscillators = subtract_lines(model.angle_samples, work);
@@ -271,7 +288,7 @@ LearnedDiesel learn_diesel(const std::vector<DieselTake>& takes, const DieselSet
     model.points.push_back(std::move(w.point));
     step();
   }
-  add_hydraulics(sections, model);
+  add_hydraulics(level, model);
   return learned;
 }
 

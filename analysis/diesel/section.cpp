@@ -19,6 +19,7 @@ constexpr double kTolerance = 0.03, kWorstCorrelation = 0.7;
 constexpr double kCut = 1.12;            // speed ratio at which a run-up becomes another point
 constexpr double kImpactTail_s = 0.018;  // an impact sounds this long
 constexpr double kClippedShare = 0.01;
+constexpr int kCyclesAtOnce = 64;  // positions of all would take as much memory as the sound
 
 /// 1 where no impact sounds: 18 ms after one until the next.
 std::vector<char> open_samples(const DieselTake& take) {
@@ -154,13 +155,18 @@ CycleBlock cycles_of(const Section& section, const std::vector<double>& x, doubl
   block.N = N;
   block.origin = std::ceil(section.theta.front() - origin) + origin;
   block.cycles = static_cast<int>(std::floor(section.theta.back() - block.origin));
-  const std::size_t count = static_cast<std::size_t>(block.cycles) * static_cast<std::size_t>(N);
-  const std::vector<double> at = samples_at_angles(section.theta, block.origin, N, count);
   Sinc sinc;
   sinc.bandwidth *= std::min(1.0, N * section.f0() / kAnalysisRate);
-  block.y = interpolated(x, at, sinc);
-  if (!section.open.empty())
-    for (const double n : at) block.open.push_back(section.open[static_cast<std::size_t>(n)]);
+  block.y.reserve(static_cast<std::size_t>(block.cycles) * static_cast<std::size_t>(N));
+  for (int r = 0; r < block.cycles; r += kCyclesAtOnce) {
+    const int cycles = std::min(kCyclesAtOnce, block.cycles - r);
+    const std::vector<double> at =
+        samples_at_angles(section.theta, block.origin + r, N, static_cast<std::size_t>(cycles * N));
+    const std::vector<double> y = interpolated(x, at, sinc);
+    block.y.insert(block.y.end(), y.begin(), y.end());
+    if (!section.open.empty())
+      for (const double n : at) block.open.push_back(section.open[static_cast<std::size_t>(n)]);
+  }
   return block;
 }
 

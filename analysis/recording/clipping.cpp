@@ -1,21 +1,27 @@
 #include "recording/clipping.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace rigsound::analysis {
+namespace {
 
-double clipped_share(const std::vector<float>& x) {
-  constexpr float kTop = 0.9999F;  // of the peak; a pure tone has 0.9 % of its samples there
-  float peak = 0;
-  for (const float v : x) peak = std::max(peak, std::fabs(v));
-  const auto on_top = [&](float v) { return std::fabs(v) > kTop * peak; };
-  std::size_t clipped = 0;
-  for (std::size_t n = 0; n < x.size(); ++n) {
-    const bool before = n > 0 && on_top(x[n - 1]), after = n + 1 < x.size() && on_top(x[n + 1]);
-    clipped += on_top(x[n]) && (before || after);
+constexpr float kTop = 0.9999F;  // of the peak; a pure tone has 0.9 % of its samples there
+
+}  // namespace
+
+FlatTops::FlatTops(float peak) : level_(kTop * peak) {}
+
+void FlatTops::add(const std::vector<float>& piece) {
+  for (const float v : piece) {
+    width_ = std::fabs(v) > level_ ? width_ + 1 : 0;
+    if (width_ == 2) clipped_ += 2;  // the first is known to be on a top by the second
+    if (width_ > 2) ++clipped_;
   }
-  return x.empty() || peak == 0 ? 0 : static_cast<double>(clipped) / static_cast<double>(x.size());
+  samples_ += piece.size();
+}
+
+double FlatTops::share() const {
+  return samples_ == 0 ? 0 : static_cast<double>(clipped_) / static_cast<double>(samples_);
 }
 
 }  // namespace rigsound::analysis

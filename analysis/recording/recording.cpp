@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "recording/clipping.hpp"
 #include "recording/open_sound.hpp"
@@ -15,6 +16,8 @@
 
 namespace rigsound::analysis {
 namespace {
+
+constexpr int kRate = static_cast<int>(kAnalysisRate);
 
 /// What to read the recording from, a pipe too.
 InputFile input_of(const std::filesystem::path& path) {
@@ -55,23 +58,29 @@ Frames frames_of(const Stretch& stretch, const SF_INFO& info) {
   return {frame(stretch.start_s), frame(stretch.end_s)};
 }
 
-/// Block by block: a long recording is never in memory with all its channels.
-std::vector<float> read_mixed_down(SNDFILE* sound, int channels, const Frames& frames) {
+using PieceListener = std::function<void(const std::vector<float>& piece)>;
+
+/// Hands out the frames, mixed down, piece by piece: a long recording is never in memory. Returns how many
+/// there were.
+sf_count_t read_mixed_down(SNDFILE* sound, int channels, const Frames& frames,
+                           const PieceListener& listener) {
   constexpr sf_count_t kBlock = 1 << 14;
   std::vector<float> block(static_cast<size_t>(kBlock * channels)), mono;
-  if (sf_seek(sound, frames.begin, SEEK_SET) != frames.begin) return mono;
-  mono.reserve(static_cast<size_t>(frames.end - frames.begin));
-  for (sf_count_t left = frames.end - frames.begin; left > 0;) {
+  if (sf_seek(sound, frames.begin, SEEK_SET) != frames.begin) return 0;
+  sf_count_t left = frames.end - frames.begin;
+  while (left > 0) {
     const sf_count_t got = sf_readf_float(sound, block.data(), std::min(kBlock, left));
     if (got <= 0) break;
+    mono.clear();
     for (sf_count_t n = 0; n < got; ++n) {
       float sum = 0;
       for (int c = 0; c < channels; ++c) sum += block[static_cast<size_t>(n * channels + c)];
       mono.push_back(sum / static_cast<float>(channels));
     }
+    listener(mono);
     left -= got;
   }
-  return mono;
+  return frames.end - frames.begin - left;
 }
 
 void check_samples(const std::string& file, const std::vector<float>& mono, sf_count_t begin, int rate) {
@@ -83,51 +92,123 @@ void check_samples(const std::string& file, const std::vector<float>& mono, sf_c
   }
 }
 
-bool is_silent(const std::vector<float>& mono) {
-  const auto [low, high] = std::minmax_element(mono.begin(), mono.end());
-  return *high - *low < 1e-6f;
+/// Lowest and highest sample.
+struct Extent {
+  float low = std::numeric_limits<float>::infinity(), high = -low;
+
+  void add(const std::vector<float>& piece) {
+    for (const float v : piece) low = std::min(low, v), high = std::max(high, v);
+  }
+  bool silent() const { return high - low < 1e-6f; }
+  float peak() const { return std::max(-low, high); }
+};
+
+/// A stretch of a recording that is there, reads twice: once to be judged, once to be heard.
+class StretchReader {
+ public:
+  StretchReader(const std::filesystem::path& path, const ChooseStretch& choose)
+      : input_(input_of(path)), sound_(input_.path(), info_) {
+    require_sound(sound_, input_);
+    check_format(input_.name(), info_);
+    const Stretch stretch = choose(static_cast<double>(info_.frames) / info_.samplerate);
+    frames_ = frames_of(stretch, info_);
+    const double seconds = static_cast<double>(frames_.end - frames_.begin) / info_.samplerate;
+    if (seconds < kMinRecordingSeconds)
+      throw InputError(input_.name(),
+                       fmt::format("the stretch from {:.3f} s is {:.3f} s long, expected {} s or more",
+                                   stretch.start_s, std::max(seconds, 0.0), kMinRecordingSeconds));
+    survey();
+  }
+
+  bool silent() const { return extent_.silent(); }
+  size_t length() const { return resampled_length(static_cast<size_t>(samples_), info_.samplerate, kRate); }
+
+  /// Hands out the sound at kAnalysisRate.
+  RecordingFacts read(const PieceListener& listener) {
+    FlatTops tops(extent_.peak());
+    Resampler resampler(info_.samplerate, kRate, static_cast<size_t>(samples_));
+    each([&](const std::vector<float>& piece) {
+      tops.add(piece);
+      listener(resampler.process(piece));
+    });
+    listener(resampler.finish());
+    return {info_.samplerate, info_.channels, static_cast<long>(samples_),
+            silent(),         tops.share(),   sound_.fault()};
+  }
+
+ private:
+  sf_count_t each(const PieceListener& listener) {
+    return read_mixed_down(sound_.get(), info_.channels, frames_, listener);
+  }
+
+  void survey() {
+    sf_count_t begin = frames_.begin;
+    samples_ = each([&](const std::vector<float>& piece) {
+      check_samples(input_.name(), piece, begin, info_.samplerate);
+      extent_.add(piece);
+      begin += static_cast<sf_count_t>(piece.size());
+    });
+    if (static_cast<double>(samples_) < kMinRecordingSeconds * info_.samplerate)
+      throw InputError(input_.name(), fmt::format("cut off after {} of {} frames, expected the whole file",
+                                                  frames_.begin + samples_, info_.frames));
+  }
+
+  SF_INFO info_{};
+  InputFile input_;
+  OpenSound sound_;
+  Frames frames_{};
+  sf_count_t samples_ = 0;
+  Extent extent_;
+};
+
+ChooseStretch just(const Stretch& stretch) {
+  return [stretch](double) { return stretch; };
 }
 
-Recording read_stretch(const std::filesystem::path& path, const Stretch& stretch) {
-  SF_INFO info{};
-  const InputFile input = input_of(path);
-  const OpenSound sound(input.path(), info);
-  require_sound(sound, input);
-  check_format(input.name(), info);
-  const Frames frames = frames_of(stretch, info);
-  const double seconds = static_cast<double>(frames.end - frames.begin) / info.samplerate;
-  if (seconds < kMinRecordingSeconds)
-    throw InputError(input.name(),
-                     fmt::format("the stretch from {:.3f} s is {:.3f} s long, expected {} s or more",
-                                 stretch.start_s, std::max(seconds, 0.0), kMinRecordingSeconds));
-  const std::vector<float> mono = read_mixed_down(sound.get(), info.channels, frames);
-  if (static_cast<double>(mono.size()) < kMinRecordingSeconds * info.samplerate)
-    throw InputError(input.name(),
-                     fmt::format("cut off after {} of {} frames, expected the whole file",
-                                 frames.begin + static_cast<sf_count_t>(mono.size()), info.frames));
-  check_samples(input.name(), mono, frames.begin, info.samplerate);
-  return {resample(mono, info.samplerate, static_cast<int>(kAnalysisRate)),
-          info.samplerate,
-          info.channels,
-          static_cast<long>(mono.size()),
-          is_silent(mono),
-          clipped_share(mono),
-          sound.fault()};
+void require_heard(const StretchReader& reader, const std::filesystem::path& path, std::string_view subject) {
+  if (reader.silent())
+    throw InputError(path.string(), fmt::format("silent, no {} found in it; expected to hear some", subject));
+}
+
+Recording in_memory(StretchReader& reader) {
+  Recording recording;
+  recording.mono.reserve(reader.length());
+  static_cast<RecordingFacts&>(recording) = reader.read([&](const std::vector<float>& piece) {
+    recording.mono.insert(recording.mono.end(), piece.begin(), piece.end());
+  });
+  return recording;
 }
 
 }  // namespace
 
+Recording read_recording(const std::filesystem::path& path, const ChooseStretch& choose,
+                         std::string_view subject) {
+  StretchReader reader(path, choose);
+  require_heard(reader, path, subject);
+  return in_memory(reader);
+}
+
 Recording read_recording(const std::filesystem::path& path, const Stretch& stretch,
                          std::string_view subject) {
-  Recording recording = read_stretch(path, stretch);
-  if (recording.silent)
-    throw InputError(path.string(), fmt::format("silent, no {} found in it; expected to hear some", subject));
+  return read_recording(path, just(stretch), subject);
+}
+
+LongRecording read_long_recording(const std::filesystem::path& path, const Stretch& stretch,
+                                  SampleFile& file) {
+  StretchReader reader(path, just(stretch));
+  require_heard(reader, path, "drilling");
+  LongRecording recording;
+  static_cast<RecordingFacts&>(recording) =
+      reader.read([&](const std::vector<float>& piece) { file.add(piece, recording.mono); });
   return recording;
 }
 
-Recording read_recording_or_silence(const std::filesystem::path& path) { return read_stretch(path, {}); }
+Recording read_recording_or_silence(const std::filesystem::path& path) {
+  StretchReader reader(path, just({}));
+  return in_memory(reader);
+}
 
-std::vector<std::string> reading_notes(const std::filesystem::path& path, const Recording& recording) {
+std::vector<std::string> reading_notes(const std::filesystem::path& path, const RecordingFacts& recording) {
   std::vector<std::string> notes;
   if (!recording.fault.empty()) notes.push_back(fmt::format("{}: {}", path.string(), recording.fault));
   if (recording.source_channels > 1)

@@ -63,11 +63,11 @@ TimeTable read_time_table(const std::filesystem::path& file, std::string_view co
   return table;
 }
 
-std::vector<double> at_every_sample(const TimeTable& table, std::size_t samples) {
+std::vector<double> at_every_sample(const TimeTable& table, std::size_t samples, double from_s) {
   std::vector<double> y(samples);
   std::size_t row = 0;
   for (std::size_t n = 0; n < samples; ++n) {
-    const double t = static_cast<double>(n) / kAnalysisRate;
+    const double t = from_s + static_cast<double>(n) / kAnalysisRate;
     while (row + 1 < table.time_s.size() && table.time_s[row + 1] <= t) ++row;
     const bool last = row + 1 == table.time_s.size();
     if (last || t <= table.time_s[row]) {

@@ -61,8 +61,9 @@ std::vector<float> whitened(const std::vector<float>& x) {
 
 std::string envelope_panel(const ChainResult& segment) {
   const double period = median_gap(segment.clicks.P);
-  const Course recorded = in_decibels(mean_course(segment.clicks.P, segment.drilling)),
-               white = in_decibels(mean_course(segment.clicks.P, whitened(segment.drilling))),
+  const std::vector<float> drilling = segment.drilling.all();
+  const Course recorded = in_decibels(mean_course(segment.clicks.P, drilling)),
+               white = in_decibels(mean_course(segment.clicks.P, whitened(drilling))),
                fit = in_decibels(fitted_course(segment.clicks.envelope, period, white.size()));
   Course ms;
   for (std::size_t b = 0; b < fit.size(); ++b)

@@ -24,7 +24,7 @@ constexpr Sheet kWideSheet{"broad", 1200, 594, 720, 10, 2}, kNarrowSheet{"narrow
 
 /// One segment of a part, as far as it is shown.
 struct ShownSegment {
-  std::vector<float> recorded;
+  std::vector<float> recorded, drilling;
   const ChainResult& chain;
   double start_s;  ///< in the recording
 };

@@ -20,10 +20,9 @@ std::string row(const char* css_class, const std::string& panels) {
 }
 
 ShownSegment shown_segment(const ReportedPart& part, const DrillingSegment& segment) {
-  const auto begin = part.recorded.begin() + segment.begin;
-  return {{begin, begin + static_cast<long>(segment.result.drilling.size())},
-          segment.result,
-          part.start_s + static_cast<double>(segment.begin) / kAnalysisRate};
+  const auto begin = static_cast<std::size_t>(segment.begin);
+  return {part.recorded.piece(begin, begin + segment.result.drilling.size()), segment.result.drilling.all(),
+          segment.result, part.start_s + static_cast<double>(segment.begin) / kAnalysisRate};
 }
 
 /// The same charts for wide pages and for narrow ones, of which the style sheet shows one.
@@ -87,7 +86,7 @@ std::string report_section(const ReportedPart& part) {
   const ShownSegment shown = shown_segment(part, drilling.front());
   const ClickBank& bank = part.bank;
   const std::vector<float> synthesis = resynthesise(bank, kSynthesisSeconds, kSynthesisSeed).sound;
-  return player({shown.recorded, shown.chain.drilling, synthesis, shown.start_s}) + bank_figures(bank) +
+  return player({shown.recorded, shown.drilling, synthesis, shown.start_s}) + bank_figures(bank) +
          both_rows("one",
                    [&](const Sheet& sheet) {
                      return time_panels(shown, sheet) + verdict_panel(part.verdict, part.start_s, sheet);

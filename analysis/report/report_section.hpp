@@ -11,7 +11,7 @@ namespace rigsound::analysis {
 
 /// A part of a recording and the bank that was made of it.
 struct ReportedPart {
-  const std::vector<float>& recorded;         ///< kAnalysisRate
+  const Samples& recorded;
   double start_s = 0;                         ///< of the part in its recording
   const std::vector<VerdictWindow>& verdict;  ///< times from the part's start on
   const std::vector<DrillingSegment>& drilling;

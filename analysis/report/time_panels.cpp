@@ -55,7 +55,7 @@ std::string waveform(const Axis& time, const ShownSegment& segment, const std::v
 
 std::string time_panels(const ShownSegment& segment, const Sheet& sheet) {
   const std::vector<float> before = beginning(segment.recorded, sheet.longest_s),
-                           after = beginning(segment.chain.drilling, sheet.longest_s);
+                           after = beginning(segment.drilling, sheet.longest_s);
   std::vector<float> background(before.size());
   for (std::size_t n = 0; n < before.size(); ++n) background[n] = before[n] - after[n];
   const double end_s = segment.start_s + static_cast<double>(before.size()) / kAnalysisRate;

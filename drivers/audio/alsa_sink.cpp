@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <utility>
 
 #include "rigsound/audio/sample_format.hpp"
 #include "rigsound/device_error.hpp"
@@ -12,6 +13,8 @@ namespace {
 constexpr int kMostAttempts = 8;                // recoveries for one block before the card counts as lost
 constexpr std::int64_t kWorks_ms = 5000;        // a card that played for so long is looked for at once
 constexpr std::int64_t kClockless_ms = 60'000;  // one without a clock only now and then
+constexpr int kFirstOpen_ms = 1000;             // is waited for: the sound begins with the card
+constexpr std::int64_t kHangs_ms = 2000;        // a device that takes longer is told
 
 std::string describe(const AudioOptions& options, const Granted& g) {
   return "sound card " + options.device + ": " + std::to_string(g.channels) + " channels, " +
@@ -29,6 +32,8 @@ AlsaSink::AlsaSink(const AudioOptions& options, OpenPcm open, Clock& clock)
       wait_ms_(std::max(200, static_cast<int>(4e3 * options.block * options.periods / options.rate))) {
   bytes_.resize(samples() * sizeof(float));
   silence_.assign(bytes_.size(), 0);
+  poll();
+  job_.wait(kFirstOpen_ms);
   poll();
 }
 
@@ -128,23 +133,59 @@ void AlsaSink::give_up(std::int64_t ahead_ns) noexcept {
 void AlsaSink::poll() {
   if (playing_.load(std::memory_order_acquire)) return;
   const std::int64_t now = now_ms();
-  if (streams_.collect() != nullptr) put_away(now);  // a raw card must be closed to be opened again
-  if (!backoff_.due(now) || now < not_before_ms_) return;
-  try {
-    std::unique_ptr<Pcm> pcm = open_(options_);
-    description_ = describe(options_, pcm->granted());
-    format_ = pcm->granted().format;
-    opened_ms_ = now;
-    playing_.store(true, std::memory_order_relaxed);
-    streams_.offer(std::move(pcm));
-  } catch (const DeviceError& error) {
-    description_ = error.what();
-    backoff_.failed(now);
+  if (job_.busy()) {
+    std::optional<Outcome> outcome = job_.take();
+    if (!outcome) {
+      if (now - begun_ms_ >= kHangs_ms)
+        description_ = "sound card " + options_.device + ": does not answer, it is being " + doing_;
+      return;
+    }
+    take(std::move(*outcome), now);
+    if (playing_.load(std::memory_order_relaxed)) return;
   }
+  // A raw card must be closed to be opened again.
+  if (std::unique_ptr<Pcm> given_up = streams_.collect()) return put_away(std::move(given_up), now);
+  if (backoff_.due(now) && now >= not_before_ms_) open(now);
 }
 
-void AlsaSink::put_away(std::int64_t now) {
+void AlsaSink::begin(std::function<Outcome()> work, const char* doing, std::int64_t now) {
+  doing_ = doing;
+  begun_ms_ = now;
+  job_.begin(std::move(work));
+}
+
+void AlsaSink::open(std::int64_t now) {
+  const auto work = [open = open_, options = options_]() -> Outcome {
+    try {
+      return {open(options), {}};
+    } catch (const DeviceError& error) {
+      return {nullptr, error.what()};
+    }
+  };
+  begin(work, "opened", now);
+}
+
+void AlsaSink::take(Outcome outcome, std::int64_t now) {
+  if (!outcome.error.empty()) {
+    description_ = outcome.error;
+    backoff_.failed(now);
+  }
+  if (!outcome.pcm) return;
+  description_ = describe(options_, outcome.pcm->granted());
+  format_ = outcome.pcm->granted().format;
+  opened_ms_ = now;
+  playing_.store(true, std::memory_order_relaxed);
+  streams_.offer(std::move(outcome.pcm));
+}
+
+void AlsaSink::put_away(std::unique_ptr<Pcm> pcm, std::int64_t now) {
   now - opened_ms_ >= kWorks_ms ? backoff_.worked(now) : backoff_.failed(now);
+  begin(
+      [closed = std::shared_ptr<Pcm>(std::move(pcm))]() mutable -> Outcome {
+        closed.reset();
+        return {};
+      },
+      "closed", now);
   if (!clockless_.exchange(false, std::memory_order_relaxed)) return;
   description_ =
       "sound card " + options_.device + ": takes blocks faster than it can play them, it has no clock";

@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "audio/pcm.hpp"
 #include "backoff.hpp"
 #include "rigsound/audio/sound_card.hpp"
+#include "rigsound/handoff/background_job.hpp"
 #include "rigsound/handoff/swap_slot.hpp"
 
 namespace rigsound::audio {
@@ -26,6 +28,7 @@ class AlsaSink final : public SoundCard {
 
   void write(const float* block, std::uint64_t number) noexcept override;
   void poll() override;
+  bool busy() const override { return job_.busy(); }
   CardStatus status() const override;
 
  private:
@@ -35,7 +38,16 @@ class AlsaSink final : public SoundCard {
   bool recover(int error) noexcept;
   bool restart() noexcept;
   void give_up(std::int64_t ahead_ns) noexcept;
-  void put_away(std::int64_t now_ms);
+  /// A card that was opened; neither: one that was closed.
+  struct Outcome {
+    std::unique_ptr<Pcm> pcm;
+    std::string error;
+  };
+
+  void begin(std::function<Outcome()> work, const char* doing, std::int64_t now_ms);
+  void take(Outcome outcome, std::int64_t now_ms);
+  void open(std::int64_t now_ms);
+  void put_away(std::unique_ptr<Pcm> pcm, std::int64_t now_ms);
   void count(CardEvent event) noexcept;
   std::int64_t now_ms() noexcept;
   std::size_t samples() const { return options_.block * options_.channels; }
@@ -50,7 +62,7 @@ class AlsaSink final : public SoundCard {
   std::unique_ptr<Pcm> pcm_;  // the audio thread's
   PaceWatch pace_;
 
-  SwapSlot<Pcm> streams_;  // opened by poll(), played by the audio thread, closed by poll()
+  SwapSlot<Pcm> streams_;  // opened for poll(), played by the audio thread, closed for poll()
   std::atomic<bool> playing_{false};
   std::atomic<bool> clockless_{false};  // why the last stream was given up
   std::array<std::atomic<std::uint64_t>, kCardEventCount> events_{};
@@ -59,6 +71,9 @@ class AlsaSink final : public SoundCard {
   SampleFormat format_ = SampleFormat::kAuto;
   Backoff backoff_;
   std::int64_t opened_ms_ = 0, not_before_ms_ = 0;
+  BackgroundJob<Outcome> job_;
+  const char* doing_ = "";
+  std::int64_t begun_ms_ = 0;
 };
 
 }  // namespace rigsound::audio

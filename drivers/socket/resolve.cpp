@@ -2,58 +2,50 @@
 
 #include <poll.h>
 
-#include <thread>
+#include <optional>
 #include <utility>
+
+#include "rigsound/handoff/background_job.hpp"
 
 namespace rigsound {
 namespace {
 
-/// Outlives who asked: getaddrinfo() cannot be interrupted.
 struct Lookup {
-  Lookup(const HostPort& where, int type, int flags) : host(where.host), port(std::to_string(where.port)) {
-    hints.ai_flags = AI_NUMERICSERV | flags;
-    hints.ai_socktype = type;
-  }
-  ~Lookup() {
-    if (found != nullptr) ::freeaddrinfo(found);
-  }
-  Lookup(const Lookup&) = delete;
-  Lookup& operator=(const Lookup&) = delete;
-
-  void run() { error = ::getaddrinfo(host.c_str(), port.c_str(), &hints, &found); }
-
-  std::string host, port;
-  addrinfo hints{}, *found = nullptr;
   int error = 0;
-  StopEvent done;
+  Addresses found{nullptr, ::freeaddrinfo};
 };
 
-/// False: stopped before.
-bool look_up(const std::shared_ptr<Lookup>& lookup, const StopEvent& stop) {
-  std::thread([lookup] {
-    lookup->run();
-    lookup->done.set();
-  }).detach();
-  while (!lookup->done.is_set() && !stop.is_set()) stop.wait(lookup->done.to_poll().fd, POLLIN, -1);
-  return lookup->done.is_set();
+Lookup look_up(const HostPort& where, int type, int flags) {
+  addrinfo hints{}, *found = nullptr;
+  hints.ai_flags = AI_NUMERICSERV | flags;
+  hints.ai_socktype = type;
+  Lookup lookup;
+  lookup.error = ::getaddrinfo(where.host.c_str(), std::to_string(where.port).c_str(), &hints, &found);
+  lookup.found.reset(found);
+  return lookup;
+}
+
+/// None: stopped before. getaddrinfo() cannot be interrupted.
+std::optional<Lookup> look_up_meanwhile(const HostPort& where, int type, int flags, const StopEvent& stop) {
+  BackgroundJob<Lookup> job;
+  job.begin([where, type, flags] { return look_up(where, type, flags); });
+  std::optional<Lookup> lookup;
+  while (!(lookup = job.take()) && !stop.is_set()) stop.wait(job.to_poll().fd, POLLIN, -1);
+  return lookup;
 }
 
 }  // namespace
 
 Addresses resolve(const HostPort& where, int type, int flags, const StopEvent& stop, std::string& problem) {
-  Addresses none(nullptr, ::freeaddrinfo);
-  auto lookup = std::make_shared<Lookup>(where, type, flags | AI_NUMERICHOST);
-  lookup->run();
-  if (lookup->error == EAI_NONAME) {
-    lookup = std::make_shared<Lookup>(where, type, flags);
-    if (!look_up(lookup, stop)) {
-      problem = "stopped while its name was looked up";
-      return none;
-    }
-  }
-  if (lookup->error == 0) return {std::exchange(lookup->found, nullptr), ::freeaddrinfo};
-  problem = ::gai_strerror(lookup->error);
-  return none;
+  std::optional<Lookup> lookup = look_up(where, type, flags | AI_NUMERICHOST);
+  if (lookup->error == EAI_NONAME) lookup = look_up_meanwhile(where, type, flags, stop);
+  if (!lookup)
+    problem = "stopped while its name was looked up";
+  else if (lookup->error != 0)
+    problem = ::gai_strerror(lookup->error);
+  else
+    return std::move(lookup->found);
+  return {nullptr, ::freeaddrinfo};
 }
 
 }  // namespace rigsound

@@ -69,9 +69,9 @@ class Watchdog:
 
 
 class Attack(DaemonCase):
-    def write_rig(self, more=''):
+    def write_rig(self, more='', device='null'):
         self.metrics = free_port()
-        self.rig.write_text(f'[audio]\ndevice = "null"\n[sound]\nset = "set"\n[control]\nsocket = "{self.socket}"\n'
+        self.rig.write_text(f'[audio]\ndevice = "{device}"\n[sound]\nset = "set"\n[control]\nsocket = "{self.socket}"\n'
                             f'metrics = "127.0.0.1:{self.metrics}"\n{more}')
 
     def start(self, more='', **options):
@@ -159,6 +159,24 @@ class Devices(Attack):
             self.addCleanup(again.close)
             self.assertTrue(again.recv(100))
             self.ends(daemon, 'a PLC silent')
+
+    def test_a_sound_card_that_does_not_answer(self):
+        """Opening it opens a pipe, which waits for somebody to read from it."""
+        os.mkfifo(self.folder / 'pipe')
+        config = self.folder / 'asound.conf'
+        config.write_text(f'pcm.hangs {{ type file slave.pcm {{ type null }} file "{self.folder}/pipe" format raw }}\n')
+        watchdog = Watchdog(self)
+        self.write_rig(device='hangs')
+        daemon = self.start_daemon(env={**watchdog.env, 'ALSA_CONFIG_PATH': str(config)})
+        with Asking(self.socket) as other:
+            def wait(what, condition):
+                wait_for(what, lambda: watchdog.fed() and other.last and condition(other.last['audio']))
+            wait('word of it', lambda audio: 'does not answer, it is being opened' in audio['card'])
+            answered, blocks = other.answers, other.last['audio']['blocks']
+            wait('answers and blocks', lambda audio: other.answers > answered + 20 and audio['blocks'] > blocks + 100)
+        figure('worst status beside a sound card that hangs', other.worst_s)
+        self.ends(daemon, 'a sound card hanging')
+        self.assertFalse(self.socket.exists())
 
     def test_nor_for_a_name_server(self):
         bus = '[[modbus]]\nrole = "client"\naddress = "no-such-plc.invalid:502"\nunit = 1\n' \

@@ -109,10 +109,10 @@ class Session(unittest.TestCase):
         self.rig.write_text(f'[audio]\ndevice = "null"\nblock = 256\n[sound]\nset = "set"\n[control]\nsocket = "{self.folder}/c"\n')
         self.sessions = self.folder / 'sessions'
 
-    def run_with(self, kind, n):
+    def run_with(self, kind, n, **more):
         """Runs until the daemon has told something of what a user sets, and ends it."""
         shutil.rmtree(self.sessions, ignore_errors=True)
-        env = dict(os.environ, LD_PRELOAD=SHIM, RIGSOUND_FAULT=f'{self.sessions} {kind} {n}')
+        env = dict(os.environ, LD_PRELOAD=SHIM, RIGSOUND_FAULT=f'{self.sessions} {kind} {n}', **more)
         daemon = subprocess.Popen([RIGSOUNDD, self.rig, '--manual', '--session', self.sessions], env=env, stderr=subprocess.PIPE)
         self.addCleanup(lambda: daemon.poll() is None and daemon.kill())
         for rpm in (800, 1500):
@@ -133,6 +133,14 @@ class Session(unittest.TestCase):
 
     def blocks(self):
         return json.loads(self.ctl('status', '--json').stdout)['audio']['blocks']
+
+    def test_a_disk_that_does_not_answer(self):
+        """Neither who asks nor who ends the daemon waits for it."""
+        for kind, n in (('open', 1), ('write', 1), ('write', 3)):
+            with self.subTest(kind=kind, n=n):
+                said = self.run_with(kind, n, RIGSOUND_FAULT_HANGS='1')
+                self.assertIn('the disk does not answer, the session is not ended', said)
+                self.assertFalse((self.folder / 'c').exists())
 
     def test_a_disk_that_fails(self):
         for kind, n in (('open', 1), ('write', 1), ('write', 2), ('write', 4)):

@@ -44,7 +44,7 @@ ChainResult run_chain(const Recording& recording, const ChainArguments& argument
   if (recording.silent) {
     ChainResult nothing;
     nothing.reason = "it is silent";
-    nothing.drilling.resize(recording.mono.size());
+    nothing.drilling = std::vector<float>(recording.mono.size());
     return nothing;
   }
   ProgressBar bar;

@@ -36,11 +36,12 @@ void run(const DenoiseOptions& options) {
     tell_clipped(file.target().string(),
                  analysis::write_wave(file, analysis::at_source_rate(recording, x), recording.source_rate));
   };
+  const std::vector<float> drilling = result.drilling.all();
   AtomicFile output(options.output);
-  write(output, result.drilling);
+  write(output, drilling);
   if (!options.noise.empty()) {
     AtomicFile noise(options.noise);
-    write(noise, background(recording, result.drilling));
+    write(noise, background(recording, drilling));
     noise.commit();
   }
   output.commit();

@@ -106,9 +106,11 @@ bool Daemon::run(int signals) {
   for (const auto& feed : feeds_) feed->stop();
   fade_out();
   audio_.stop();
-  recorder_.finish();
+  const bool recorded = recorder_.finish();
+  servers_.clear();
+  control_socket_.reset();
   log_info(fmt::format("stopped after {} blocks", audio_.figures().blocks.load()));
-  return !loader_.busy();
+  return recorded && !loader_.busy() && (card_ == nullptr || !card_->busy());
 }
 
 // The engine smooths every gain: it is silent a little after the gate is shut.
@@ -180,14 +182,15 @@ void Daemon::reset_exposure() {
 }
 
 void Daemon::poll_session(double now_s) {
-  recorder_.poll(now_s);
   if (audio_.figures().peak.load(std::memory_order_relaxed) > 0) silent_since_s_ = now_s;
+  recorder_.set_silent_s(now_s - silent_since_s_);
   if (change_.step != Change::Step::kNone) return;
-  const bool other_card = recorder_.recording() && recorder_.header().format != session_header().format;
-  const std::string_view why =
-      other_card ? "was begun for another sample format" : recorder_.wants_new_run(now_s - silent_since_s_);
+  const RecorderStatus recorder = recorder_.status();
+  if (recorder.run != audio_.figures().run.load(std::memory_order_relaxed)) return;  // of a run that is over
+  const bool other_card = recorder.recording && recorder.format != session_header().format;
+  const std::string_view why = other_card ? "was begun for another sample format" : recorder.wants_new_run;
   if (why.empty()) return;
-  log_info(fmt::format("session: {} {}, the next one begins", recorder_.file().string(), why));
+  log_info(fmt::format("session: {} {}, the next one begins", recorder.file.string(), why));
   begin_new_run();
 }
 

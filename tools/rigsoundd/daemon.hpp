@@ -15,7 +15,7 @@
 #include "levels.hpp"
 #include "line_server.hpp"
 #include "loaded_rig.hpp"
-#include "recorder.hpp"
+#include "recorder_thread.hpp"
 #include "rig_loader.hpp"
 #include "rigsound/audio/null_sink.hpp"
 #include "rigsound/audio/sound_card.hpp"
@@ -45,8 +45,9 @@ class Daemon : private DaemonControl, private osc::ControlListener {
   explicit Daemon(const DaemonOptions& options);
   ~Daemon() override;
 
-  /// Until SIGTERM or SIGINT, read from `signals` (a signalfd); then the sound fades out. False: a rig was
-  /// still being read, by a thread that ends with the process only.
+  /// Until SIGTERM or SIGINT, read from `signals` (a signalfd); then the sound fades out and the sockets are
+  /// gone. False: a rig was still being read, a card or a disk did not answer; a thread that may use the
+  /// daemon waits for it and ends with the process only.
   bool run(int signals);
 
  private:
@@ -135,7 +136,7 @@ class Daemon : private DaemonControl, private osc::ControlListener {
   Levels levels_;
   Exposure exposure_;
   bool turned_down_ = false;  ///< said so
-  Recorder recorder_;
+  RecorderThread recorder_;
   std::vector<std::unique_ptr<Feed>> feeds_, leaving_;
   std::optional<UnixListener> control_socket_;
   std::vector<LineServer> servers_;

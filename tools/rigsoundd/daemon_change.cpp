@@ -63,7 +63,7 @@ void Daemon::take_read_rig(double now_s) {
   if (!read->error.empty()) return end_change(read->error);
   change_.not_applied = std::move(read->not_applied);
   exchange_.set_safety(read->rig.rig.safety);
-  if (change_.reload && plays_the_same(read->rig) && recorder_.problem().empty()) {
+  if (change_.reload && plays_the_same(read->rig) && recorder_.status().problem.empty()) {
     read->rig.engine.reset();  // the running one goes on
     loaded_ = std::move(read->rig);
     calibrate();
@@ -80,7 +80,6 @@ void Daemon::take_read_rig(double now_s) {
 void Daemon::swap_when_silent(double now_s) {
   const bool rings = audio_.figures().peak.load(std::memory_order_relaxed) > 0;
   if (now_s < change_.silent_from_s + (rings ? kLongestRingOut_s : 0)) return;
-  recorder_.poll(now_s);
   std::unique_ptr<Engine> engine = std::move(next_.engine);
   loaded_ = std::exchange(next_, {});
   calibrate();

@@ -56,7 +56,8 @@ Snapshot Daemon::snapshot_with(const LevelWindow& levels) const {
   s.reloads = reloads_;
   s.failed_reloads = failed_reloads_;
   s.lost_log_entries = lost_log_entries();
-  s.session = {recorder_.file().string(), recorder_.problem(), recorder_.recording(), recorder_.bytes()};
+  const RecorderStatus recorder = recorder_.status();
+  s.session = {recorder.file.string(), recorder.problem, recorder.recording, recorder.bytes};
   for (const auto& feed : feeds_) s.buses.push_back(feed->snapshot());
   name_apart(s.buses);
   const EngineView& view = audio_.report().view;

@@ -37,14 +37,15 @@ int serve(const daemon::DaemonOptions& options) {
   try {
     daemon::start_log();
     const std::string memory = daemon::lock_memory();
-    bool alone = true;
     {
       daemon::Daemon daemon(options);
       daemon::log_info("memory " + memory);
-      alone = daemon.run(signals.get());
+      if (!daemon.run(signals.get())) {
+        daemon::stop_log();
+        std::_Exit(0);  // what the other thread uses must not be destroyed under it
+      }
     }
     daemon::stop_log();
-    if (!alone) std::_Exit(0);  // what the other thread uses must not be destroyed under it
     return 0;
   } catch (const DeviceError& error) {
     return complain(error, 3);

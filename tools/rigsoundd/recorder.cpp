@@ -13,6 +13,18 @@ constexpr double kSilence_s = 2;
 
 }  // namespace
 
+void Recorder::expect_run(const session::SessionHeader& header) {
+  const std::lock_guard<std::mutex> lock(expecting_);
+  expected_[next_run_++] = header;
+}
+
+session::SessionHeader Recorder::take_expected(std::uint32_t run) {
+  const std::lock_guard<std::mutex> lock(expecting_);
+  const session::SessionHeader header = expected_[run];
+  expected_.erase(expected_.begin(), expected_.upper_bound(run));
+  return header;
+}
+
 void Recorder::give_up(const std::string& why) {
   problem_ = why;
   interrupted_ = false;
@@ -22,6 +34,7 @@ void Recorder::give_up(const std::string& why) {
 
 void Recorder::begin(const RunRecord& first) {
   run_ = first.run;
+  header_ = take_expected(first.run);
   problem_.clear();
   interrupted_ = false;
   lost_at_begin_ = first.lost;

@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,16 +18,17 @@
 
 namespace rigsound::daemon {
 
-/// Each run is one session. Thread: CT, one at a time.
+/// Each run is one session. Thread: one at a time, where nothing else is said.
 class Recorder {
  public:
   /// Without a folder nothing is recorded.
   Recorder(std::optional<session::SessionFolder> folder, RunQueue& records, const AudioFigures& figures)
       : folder_(std::move(folder)), records_(records), figures_(figures) {}
 
-  /// What the next run is rendered with; must be called before it begins.
-  void expect_run(const session::SessionHeader& header) { header_ = header; }
-  const session::SessionHeader& header() const { return header_; }
+  /// What the next run that is offered is rendered with; must be called before it begins, once each. Thread:
+  /// any
+  void expect_run(const session::SessionHeader& header);
+  const session::SessionHeader& header() const { return header_; }  ///< of the run being recorded
 
   /// Takes what the audio thread left; at least once a second it is handed to the kernel.
   void poll(double now_s);
@@ -38,12 +41,17 @@ class Recorder {
 
   void give_up(const std::string& why);  ///< this run is recorded no further
 
+  /// What is said here is true of this run: the last that began, or any whose record was lost.
+  std::uint32_t run() const {
+    return broken() ? figures_.run.load(std::memory_order_relaxed) : run_.value_or(0);
+  }
   bool recording() const { return writer_ != nullptr; }
   const std::string& problem() const { return problem_; }
   std::uint64_t bytes() const { return writer_ ? writer_->bytes() : 0; }
   const std::filesystem::path& file() const { return file_; }  ///< of the last session; empty: none yet
 
  private:
+  session::SessionHeader take_expected(std::uint32_t run);
   void take(const RunRecord& record);
   void begin(const RunRecord& first);
   void drain();
@@ -53,6 +61,9 @@ class Recorder {
   std::optional<session::SessionFolder> folder_;
   RunQueue& records_;
   const AudioFigures& figures_;
+  std::mutex expecting_;
+  std::map<std::uint32_t, session::SessionHeader> expected_;  // runs that have not begun
+  std::uint32_t next_run_ = 0;
   session::SessionHeader header_;
   std::unique_ptr<session::SessionWriter> writer_;
   std::filesystem::path file_;

@@ -2,17 +2,16 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "loaded_rig.hpp"
-#include "rigsound/bus/stop_event.hpp"
+#include "rigsound/handoff/background_job.hpp"
 
 namespace rigsound::daemon {
 
-/// One rig at a time, on a thread of its own that nobody waits for: destruction abandons it. Thread: CT.
+/// One rig at a time. Thread: CT.
 class RigLoader {
  public:
   struct Outcome {
@@ -25,18 +24,13 @@ class RigLoader {
 
   /// Errors: none; whatever `load` throws is the outcome. Not while busy.
   void begin(Load load);
-  bool busy() const { return job_ != nullptr; }
-  std::optional<Outcome> take();  ///< once it is there
+  bool busy() const { return job_.busy(); }
+  std::optional<Outcome> take() { return job_.take(); }  ///< once it is there
   /// Readable when there is something to take.
-  pollfd to_poll() const { return job_ ? job_->done.to_poll() : pollfd{-1, 0, 0}; }
+  pollfd to_poll() const { return job_.to_poll(); }
 
  private:
-  struct Job {
-    Load load;
-    Outcome outcome;
-    StopEvent done;
-  };
-  std::shared_ptr<Job> job_;
+  BackgroundJob<Outcome> job_;
 };
 
 }  // namespace rigsound::daemon

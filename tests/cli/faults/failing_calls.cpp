@@ -1,6 +1,7 @@
 // Preloaded into a program: the N-th call of a kind on a file below a folder fails, as a disk that is full or
 // broken lets it. RIGSOUND_FAULT is `FOLDER KIND N`, KIND one of open, read, write, fsync, rename; N = 0 lets
-// all pass. How many calls of the kind there were is written to RIGSOUND_FAULT_COUNT at the end.
+// all pass. With RIGSOUND_FAULT_HANGS it does not fail but never returns, as on a disk that does not answer.
+// How many calls of the kind there were is written to RIGSOUND_FAULT_COUNT at the end.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -55,6 +56,7 @@ bool fails(const char* kind, const char* path, int error) {
   if (p.folder.empty() || p.kind != kind || std::strncmp(path, p.folder.c_str(), p.folder.size()) != 0)
     return false;
   if (++calls != p.chosen) return false;
+  while (std::getenv("RIGSOUND_FAULT_HANGS") != nullptr) ::pause();
   errno = error;
   return true;
 }

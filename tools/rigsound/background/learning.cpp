@@ -24,19 +24,45 @@ T nth(const std::vector<T>& list, std::size_t i, T absent) {
 }
 
 /// A track that ends long before its recording, or names speeds no diesel has, is the wrong file.
-std::vector<double> speed_log(const std::string& file, std::size_t samples) {
+void check_speeds(const analysis::TimeTable& table, const std::string& file, double recording_s) {
   constexpr double kMissing_s = 1;
-  const analysis::TimeTable table = analysis::read_time_table(file, "rpm");
-  const double seconds = static_cast<double>(samples) / analysis::kAnalysisRate;
-  if (table.time_s.front() > kMissing_s || table.time_s.back() < seconds - kMissing_s)
+  if (table.time_s.front() > kMissing_s || table.time_s.back() < recording_s - kMissing_s)
     throw InputError(file, fmt::format("covers {:.1f}...{:.1f} s, expected all of the recording's {:.1f} s",
-                                       table.time_s.front(), table.time_s.back(), seconds));
+                                       table.time_s.front(), table.time_s.back(), recording_s));
   for (std::size_t row = 0; row < table.value.size(); ++row)
     if (!(table.value[row] >= kSlowest_rpm && table.value[row] <= kFastest_rpm))
       throw InputError(file, 0, "rpm",
                        fmt::format("is {:g} at {:g} s, expected {:.0f}...{:.0f} r/min", table.value[row],
                                    table.time_s[row], kSlowest_rpm, kFastest_rpm));
-  return analysis::at_every_sample(table, samples);
+}
+
+/// One recording, or the stretch of a long one that is enough.
+analysis::DieselTake read_take(const LearningOptions& o, std::size_t i) {
+  analysis::DieselTake take;
+  take.source = o.inputs[i];
+  const std::string track = nth(o.rpm_tracks, i, std::string());
+  const analysis::TimeTable speeds =
+      track.empty() ? analysis::TimeTable{} : analysis::read_time_table(track, "rpm");
+  analysis::Stretch heard;
+  analysis::Recording recording = read_stretch(
+      take.source,
+      [&](double recording_s) {
+        if (!track.empty()) check_speeds(speeds, track, recording_s);
+        return heard = analysis::learned_stretch(recording_s, speeds);
+      },
+      "engine");
+  take.mono = std::move(recording.mono);
+  take.source_rate = recording.source_rate;
+  take.clipped = recording.clipped;
+  if (track.empty())
+    take.rpm = nth(o.rpm, i, 0.0);
+  else
+    take.rpm_log = analysis::at_every_sample(speeds, take.mono.size(), heard.start_s);
+  take.load = nth(o.load, i, 0.0);
+  if (o.clicks.empty()) return take;
+  for (const double t : analysis::read_time_table(nth(o.clicks, i, std::string()), "amplitude").time_s)
+    take.impacts_s.push_back(t - heard.start_s);
+  return take;
 }
 
 void require_matching(const LearningOptions& o) {
@@ -73,22 +99,7 @@ std::string background_name(const LearningOptions& o) {
 std::vector<analysis::DieselTake> read_takes(const LearningOptions& o) {
   require_matching(o);
   std::vector<analysis::DieselTake> takes;
-  for (std::size_t i = 0; i < o.inputs.size(); ++i) {
-    const analysis::Recording recording = read_whole(o.inputs[i], "engine");
-    analysis::DieselTake take;
-    take.source = o.inputs[i];
-    take.mono = recording.mono;
-    take.source_rate = recording.source_rate;
-    take.clipped = recording.clipped;
-    if (o.rpm_tracks.empty())
-      take.rpm = nth(o.rpm, i, 0.0);
-    else
-      take.rpm_log = speed_log(nth(o.rpm_tracks, i, std::string()), take.mono.size());
-    take.load = nth(o.load, i, 0.0);
-    if (!o.clicks.empty())
-      take.impacts_s = analysis::read_time_table(nth(o.clicks, i, std::string()), "amplitude").time_s;
-    takes.push_back(std::move(take));
-  }
+  for (std::size_t i = 0; i < o.inputs.size(); ++i) takes.push_back(read_take(o, i));
   return takes;
 }
 

@@ -8,6 +8,7 @@
 
 #include "rigsound/analysis/click_train.hpp"
 #include "rigsound/analysis/recording.hpp"
+#include "rigsound/analysis/samples.hpp"
 
 namespace rigsound::analysis {
 
@@ -38,7 +39,7 @@ struct ChainResult {
   std::string reason;                  ///< why not, when nothing was found; of a labelled recording the doubt
   std::vector<VerdictWindow> verdict;  ///< over time
   ClickTrain clicks;                   ///< from the first to the last window that drills
-  std::vector<float> drilling;         ///< the recording without its background, same length and level
+  Samples drilling;                    ///< the recording without its background, same length and level
   std::vector<double> signal_psd;      ///< mean modelled power of the drilling, per STFT bin (257 bins)
   std::vector<double> noise_psd;       ///< the same for the background
   std::vector<double> output_psd;      ///< mean power of the denoised output, same bins
@@ -51,8 +52,9 @@ struct DrillingSegment {
   ChainResult result;               ///< times from `begin` on, overlaps with the neighbours included
 };
 
-/// A recording as a whole and in its segments. The clicks of `joined` are those that count in `drilling`: of
-/// windows that drill. Of a labelled recording in which none does, all segments with enough clicks count.
+/// A recording as a whole, without its sound, and in its segments. The clicks of `joined` are those that
+/// count in `drilling`: of windows that drill. Of a labelled recording in which none does, all segments with
+/// enough clicks count.
 struct SegmentedResult {
   ChainResult joined;
   int segments = 0;                       ///< with and without drilling
@@ -66,11 +68,11 @@ std::vector<Stretch> drilling_stretches(const std::vector<VerdictWindow>& verdic
 std::string stretches_text(const std::vector<VerdictWindow>& verdict);
 
 /// Runs denoising and click detection on `mono` (48 kHz, full scale 1). More than 4 s are analysed in
-/// overlapping segments of 2 to 4 s and joined. Deterministic. Errors: DeviceError when the dump cannot be
-/// written. Thread: OFF.
-SegmentedResult run_chain_in_segments(const std::vector<float>& mono, const ChainOptions& options);
+/// overlapping segments of 2 to 4 s, whose sound is kept in `file`: memory does not grow with the recording.
+/// Deterministic. Errors: DeviceError when the dump or the file cannot be written. Thread: OFF.
+SegmentedResult run_chain_in_segments(const Samples& mono, SampleFile& file, const ChainOptions& options);
 
-/// The same, joined.
-ChainResult run_chain(const std::vector<float>& mono, const ChainOptions& options);
+/// The same, joined with its sound, which is in memory.
+ChainResult run_chain(const Samples& mono, const ChainOptions& options);
 
 }  // namespace rigsound::analysis

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "rigsound/analysis/progress.hpp"
+#include "rigsound/analysis/recording.hpp"
+#include "rigsound/analysis/time_table.hpp"
 #include "rigsound/diesel_model.hpp"
 
 namespace rigsound::analysis {
@@ -20,6 +22,12 @@ struct DieselTake {
   double load = 0;                ///< 0...1
   std::vector<double> impacts_s;  ///< times of hammer impacts in it, s, ascending; empty: clean
 };
+
+constexpr double kLongestTake_s = 50;  ///< 270 cycles at 650 r/min; 100 make a good model
+
+/// What to read of a longer recording, so that memory does not grow with it: of a steady one (`rpm` is empty)
+/// the middle, else where the speed moves most; all of a shorter one. Thread: OFF.
+Stretch learned_stretch(double recording_s, const TimeTable& rpm);
 
 struct DieselSettings {
   std::string name;

@@ -17,7 +17,7 @@ struct TimeTable {
 TimeTable read_time_table(const std::filesystem::path& file, std::string_view column);
 
 /// Straight lines between the rows, held before the first and after the last: one value a sample of
-/// kAnalysisRate. Thread: OFF.
-std::vector<double> at_every_sample(const TimeTable& table, std::size_t samples);
+/// kAnalysisRate, from `from_s` on. Thread: OFF.
+std::vector<double> at_every_sample(const TimeTable& table, std::size_t samples, double from_s = 0);
 
 }  // namespace rigsound::analysis

@@ -24,17 +24,21 @@ struct CardStatus {
 };
 
 /// write() never waits for anything but room in the card's buffer (Thread: RT); opening and closing a card
-/// takes time, so poll() does it.
+/// takes time, with some for ever, so a thread of its own does it.
 class SoundCard : public Sink {
  public:
-  /// Closes a card given up, looks for one while there is none: at once, then with pauses of 0.1 s doubling
-  /// to 5 s. Call about ten times a second. Thread: CT.
+  /// Has a card that was given up closed, and one looked for while there is none: at once, then with pauses
+  /// of 0.1 s doubling to 5 s. Waits for neither. Call about ten times a second. Thread: CT.
   virtual void poll() = 0;
+
+  /// A card is being opened or closed: by a thread that goes on when this is destroyed. Thread: as poll()
+  virtual bool busy() const = 0;
 
   virtual CardStatus status() const = 0;  ///< Thread: CT, the one that calls poll()
 };
 
-/// Tries to open the ALSA device of the options at once; a missing card is no error. Thread: OFF.
+/// Tries to open the ALSA device of the options and waits for that, a second at most; a missing card is no
+/// error. Thread: OFF.
 std::unique_ptr<SoundCard> make_sound_card(const AudioOptions& options, Clock& clock);
 
 }  // namespace rigsound::audio

@@ -3,8 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include <atomic>
 #include <cerrno>
 #include <numeric>
+#include <thread>
 
 #include "drivers/audio/fake_card.hpp"
 #include "rigsound/device_error.hpp"
@@ -23,11 +25,17 @@ struct Rig {
     options.periods = kPeriods;
     options.channels = 1;
     const auto open = [this](const AudioOptions& o) -> std::unique_ptr<Pcm> {
+      const std::lock_guard<std::mutex> answered(card.answers);
       ++opens;
       if (!card.present) throw DeviceError("sound card: no such device");
       return std::make_unique<FakePcm>(card, o);
     };
     sink = std::make_unique<AlsaSink>(options, open, clock);
+  }
+
+  /// Until nothing is being opened or closed any more.
+  void poll() {
+    for (sink->poll(); sink->busy(); sink->poll()) std::this_thread::yield();
   }
 
   /// Plays `count` blocks of a ramp 1, 2, 3, ... that never is silent.
@@ -158,14 +166,14 @@ TEST_CASE("A card that is gone is given up; blocks keep their pace; the card is 
     rig.card.present = false;
     const std::int64_t before = rig.clock.now;
     rig.clock.now += 200'000'000;
-    rig.sink->poll();
+    rig.poll();
     CHECK(rig.card.open_streams == 0);
     rig.play(750);
     CHECK(rig.clock.now - before == doctest::Approx(750.0 * kBlock / 48000 * 1e9).epsilon(0.01));
 
     rig.card.present = true;
     rig.clock.now += 6'000'000'000;
-    rig.sink->poll();
+    rig.poll();
     rig.card.heard.clear();
     const std::uint64_t first = rig.number;
     rig.play(5);
@@ -199,7 +207,7 @@ TEST_CASE("A card that cannot be prepared is given up and closed before it is op
   CHECK(rig.card.open_streams == 1);
   rig.card.present = false;
   rig.clock.now += 200'000'000;
-  rig.sink->poll();
+  rig.poll();
   CHECK(rig.card.open_streams == 0);
 }
 
@@ -211,14 +219,14 @@ TEST_CASE("A device that never blocks is given up within a second, and the block
   CHECK_FALSE(rig.sink->status().playing);
   CHECK(rig.ramp().size() <= 110 * kBlock);  // the buffer and 0.1 s
   CHECK(static_cast<double>(rig.clock.now - begin_ns) == doctest::Approx(1e9).epsilon(0.01));
-  rig.sink->poll();
+  rig.poll();
   CHECK(rig.card.open_streams == 0);
   CHECK(rig.sink->status().description.find("it has no clock") != std::string::npos);
   rig.clock.now += 59'000'000'000;
-  rig.sink->poll();
+  rig.poll();
   CHECK(rig.opens == 1);  // not over and over
   rig.clock.now += 2'000'000'000;
-  rig.sink->poll();
+  rig.poll();
   CHECK(rig.opens == 2);
   CHECK(rig.sink->status().playing);
 }
@@ -250,7 +258,7 @@ TEST_CASE("A card that is lost soon after each opening is opened less and less o
   std::vector<std::int64_t> opened_ms;
   for (int ms = 0; ms < 30'000; ms += 10, rig.clock.now += 10'000'000) {
     const int before = rig.opens;
-    rig.sink->poll();
+    rig.poll();
     if (rig.opens != before) opened_ms.push_back(ms);
     if (rig.sink->status().playing) rig.play(1);
   }
@@ -264,11 +272,42 @@ TEST_CASE("A missing card is looked for with pauses from 0.1 s doubling to 5 s")
   for (const std::int64_t pause_ms : {100, 200, 400, 800, 1600, 3200, 5000, 5000}) {
     const int before = rig.opens;
     rig.clock.now += (pause_ms - 1) * 1'000'000;
-    rig.sink->poll();
+    rig.poll();
     CHECK(rig.opens == before);
     rig.clock.now += 1'000'000;
-    rig.sink->poll();
+    rig.poll();
     CHECK(rig.opens == before + 1);
   }
   CHECK(rig.sink->status().description == "sound card: no such device");
+}
+
+TEST_CASE("A device that hangs holds nobody up, is told, and plays once it answers") {
+  constexpr std::int64_t kSecond = 1'000'000'000;
+  const auto told = [](const Rig& rig) { return rig.sink->status().description; };
+  const auto hangs = [](Rig& rig) {
+    const std::lock_guard<std::mutex> held(rig.card.answers);
+    rig.sink->poll();
+    rig.clock.now += 2 * kSecond;
+    rig.sink->poll();
+    CHECK(rig.sink->busy());
+    CHECK_FALSE(rig.sink->status().playing);
+    const std::int64_t before = rig.clock.now;
+    rig.play(750);
+    CHECK(rig.clock.now - before == doctest::Approx(kSecond).epsilon(0.01));
+  };
+  Rig opened(false);
+  opened.card.present = true;
+  opened.clock.now += kSecond;
+  hangs(opened);
+  CHECK(told(opened) == "sound card default: does not answer, it is being opened");
+  opened.poll();
+  CHECK(opened.sink->status().playing);
+
+  Rig closed;
+  closed.card.at[kFirstBlockWrite] = -ENODEV;
+  closed.play(1);
+  hangs(closed);
+  CHECK(told(closed) == "sound card default: does not answer, it is being closed");
+  closed.poll();
+  CHECK(closed.sink->status().playing);
 }

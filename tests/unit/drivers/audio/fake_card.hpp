@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <mutex>
 #include <vector>
 
 #include "audio/pcm.hpp"
@@ -28,6 +29,7 @@ struct FakeCard {
   int writes = 0, waits = 0, prepares = 0, resumes = 0, open_streams = 0;
   int wait_answer = 1, prepare_answer = 0, resume_answer = 0;
   bool present = true;
+  std::mutex answers;  // held: opening and closing hang
 };
 
 class FakePcm : public Pcm {
@@ -40,7 +42,10 @@ class FakePcm : public Pcm {
     granted_.buffer = granted_.period * static_cast<unsigned long>(options.periods);
     ++card_.open_streams;
   }
-  ~FakePcm() override { --card_.open_streams; }
+  ~FakePcm() override {
+    const std::lock_guard<std::mutex> answered(card_.answers);
+    --card_.open_streams;
+  }
 
   const Granted& granted() const noexcept override { return granted_; }
   long write(const void* frames, unsigned long count) noexcept override {
