@@ -13,7 +13,7 @@ constexpr double kTarget = 0.70794578;  // of the limit: -1.5 dB, for what comes
 constexpr double kSourceFalls_s = 2;    // a source that pauses between two blows is still there
 constexpr double kRiseDb_per_s = 1;     // of the gain
 constexpr double kLeastGain = 1e-3;
-constexpr double kPeakOfSine_db = 3.0103;  // over its rms, which the calibration is of
+constexpr double kPeakOfSine = 2;  // its power over that of its rms, which the calibration is of
 
 double power_of_db(double db) { return std::pow(10, db / 10); }
 
@@ -61,7 +61,7 @@ std::optional<ExposureSnapshot> Exposure::snapshot() const {
   s.slow_db = db(slow_);
   s.minute_db = db(minute_);
   s.day_db = db(energy_ / kDay_s);
-  s.peak_db = peak_ > 0 ? std::max(0.0, db(peak_ * peak_) + kPeakOfSine_db) : 0;
+  s.peak_db = db(kPeakOfSine * peak_ * peak_);
   s.since_s = seconds_;
   s.turned_down_db = gain_ < 1 ? -20 * std::log10(gain_) : 0;
   return s;

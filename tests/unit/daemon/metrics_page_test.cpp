@@ -5,32 +5,13 @@
 
 #include <string>
 
+#include "daemon/scraped.hpp"
+
 using namespace rigsound;
 using namespace rigsound::daemon;
+using test::Scraped;
 
 namespace {
-
-/// A daemon that tells its metrics and knows nothing else.
-struct Scraped : DaemonControl {
-  Snapshot snapshot() const override { return {}; }
-  Snapshot scrape() override {
-    ++scrapes;
-    return {};
-  }
-  std::uint64_t ask_reload() override { return 1; }
-  const ReloadResult* reload_result(std::uint64_t) const override { return nullptr; }
-  void set_muted(bool) override {}
-  void reset_exposure() override {}
-  std::vector<std::string> boom_names() const override { return {}; }
-  DrillControls controls(int) const override { return {}; }
-  void set_control(int, const ControlInfo&, double) override {}
-  std::vector<std::string> rock_names() const override { return {}; }
-  bool holds(SignalId) const override { return false; }
-  void hold(SignalId, double) override {}
-  void release(SignalId) override {}
-
-  int scrapes = 0;
-};
 
 std::string first_line(Scraped& daemon, const std::string& request) {
   MetricsPage page(daemon);

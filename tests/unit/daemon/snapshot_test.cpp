@@ -53,6 +53,11 @@ TEST_CASE("Two links to one address have two names, and no series comes twice") 
   std::sort(series.begin(), series.end());
   CHECK(series.size() > 100);
   CHECK(std::adjacent_find(series.begin(), series.end()) == series.end());
+  const nlohmann::json audio = status(rig.socket())["audio"];
+  CHECK(audio["block_ms"].get<double>() == doctest::Approx(64 / 48.0));
+  CHECK(audio["block_mean_us"] > 0);
+  CHECK(audio["block_worst_us"] >= audio["block_mean_us"]);
+  CHECK(audio["block_worst_us"].get<double>() < 1e6 * status(rig.socket())["uptime_s"].get<double>());
 }
 
 TEST_CASE("A loud moment between two scrapes is in the second, and in no other") {

@@ -303,3 +303,53 @@ TEST_CASE("a speed extrapolated beyond the signal's range is heard as its end") 
   DieselLayer at_end({default_diesel()}, kRate, 1, 800), beyond({default_diesel()}, kRate, 1, 800);
   CHECK(play(at_end, {4000, 0.5, 0.5}, 1.5) == play(beyond, {5500, 0.5, 0.5}, 1.5));
 }
+
+TEST_CASE("with points of one load the level follows the load by the slope") {
+  DieselModel model = bare(1200);
+  model.points[0].load = 0.25;
+  model.points[0].orders = {{0.1F, 0.0F}};
+  model.load_slope_db = 8;
+  const auto level_db = [&](double load) {
+    DieselLayer layer({model}, kRate, 1, 600);
+    return 10 * std::log10(power(play(layer, {1200, load, 0}, 2), 48000));
+  };
+  const double at_point = level_db(0.25);
+  CHECK(at_point == doctest::Approx(10 * std::log10(0.005)).epsilon(0.001));
+  CHECK(level_db(1) - at_point == doctest::Approx(6).epsilon(0.001));
+  CHECK(level_db(0) - at_point == doctest::Approx(-2).epsilon(0.001));
+}
+
+TEST_CASE("a load that leaps is followed over a chunk, not at once") {
+  DieselModel model = bare(1200);
+  model.points[0].orders.assign(6, {0, 0});
+  model.points[0].orders[5] = {0.1F, 0.0F};
+  model.points.push_back(model.points[0]);
+  model.points[1].load = 1, model.points[1].orders[5] = {0.4F, 0.0F};
+  DieselLayer layer({model}, kRate, 1, 600);
+  play(layer, {1200, 0, 0}, 2);
+  std::vector<double> x;
+  for (int leap = 0; leap < 40; ++leap) {
+    const std::vector<double> some = play(layer, {1200, leap % 2 == 0 ? 1.0 : 0.0, 0}, 0.0037);
+    x.insert(x.end(), some.begin(), some.end());
+  }
+  double steepest = 0;
+  for (std::size_t n = 1; n < x.size(); ++n) steepest = std::max(steepest, std::fabs(x[n] - x[n - 1]));
+  // The amplitude leaps by 0.3. The fade covers the interpolator's taps as well, so a tenth of it is left to
+  // either end of a chunk.
+  CHECK(steepest < 0.25 * 0.3);
+}
+
+TEST_CASE("a copied layer goes on as its original would, also over one that played something else") {
+  const DieselModel model = default_diesel();
+  DieselLayer layer({model}, kRate, 1, 800), other({model}, kRate, 1, 800), none({}, kRate, 1, 800);
+  play(layer, {900, 0.2, 0.3}, 1);
+  DieselLayer copy(layer);
+  other = layer;
+  none = layer;  // has no voice to take it
+  const std::vector<double> x = play(layer, {1500, 0.7, 0.1}, 0.3);
+  CHECK(play(copy, {1500, 0.7, 0.1}, 0.3) == x);
+  CHECK(play(other, {1500, 0.7, 0.1}, 0.3) == x);
+  CHECK(power(play(none, {1500, 0.7, 0.1}, 0.1)) == 0);
+  other = none;
+  CHECK(power(play(other, {1500, 0.7, 0.1}, 0.3)) > 0);
+}

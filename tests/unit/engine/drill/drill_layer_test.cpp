@@ -75,6 +75,21 @@ TEST_CASE("a click rests until half the others have been heard, so all come abou
   for (const std::uint64_t n : count) CHECK(static_cast<double>(n) == doctest::Approx(40).epsilon(0.3));
 }
 
+TEST_CASE("as many banks as may sound at once each remember what they have played") {
+  std::vector<ClickBank> banks(drill::kMaxChoices, flat_bank(0, 0.002));
+  for (ClickBank& bank : banks) bank.clicks = {{1.0F}, {2.0F}};
+  drill::ClickPlayer player(9, 0, 0);
+  std::vector<double> last(banks.size(), 0);
+  for (std::uint64_t i = 0; i < 40 * banks.size(); ++i) {
+    const std::size_t b = i % banks.size();
+    player.strike(banks[b], {0, 0.5, i}, {});
+    double out[kChunk] = {};
+    player.add_to(out);
+    REQUIRE(out[0] != last[b]);
+    last[b] = out[0];
+  }
+}
+
 TEST_CASE("clicks beyond the last voice are counted, not stacked") {
   const ClickBank bank = flat_bank(0, 0.002);
   drill::ClickPlayer player(9, 0, 0);
