@@ -21,11 +21,12 @@ namespace {
 
 constexpr double kHighestLearned_hz = 11000;
 constexpr double kSlot_s = 0.0022;
-constexpr double kBelowCrossover = 0.7;  // high-pass of the analysis; the voice has its own at f_x
-constexpr int kWindowCycles = 8;         // of a run-up, for the body
-constexpr double kSure = 3;              // times the noise, for a level that shapes the body
-constexpr double kHidden = 0.04;         // of its power is kept of an order that may be noise
-constexpr double kFormulaRms = 0.05;     // level the built-in hydraulics go with
+constexpr double kBelowCrossover = 0.7;   // high-pass of the analysis; the voice has its own at f_x
+constexpr int kWindowCycles = 8;          // of a run-up, for the body
+constexpr double kSure = 3;               // times the noise, for a level that shapes the body
+constexpr double kHidden = 0.04;          // of its power is kept of an order that may be noise
+constexpr double kFormulaRms = 0.05;      // level the built-in hydraulics go with
+constexpr std::size_t kAtOnce = 1 << 18;  // samples: positions of all would take as much memory as the sound
 
 int power_of_two_from(double least, int low, int high) {
   int n = low;
@@ -100,21 +101,24 @@ std::vector<double> crank_origins(const std::vector<Work>& work) {
   return origin;
 }
 
-/// The residual of the mean cycle, over time.
-void subtract_orders(Work& work) {
-  const Section& s = *work.section;
+/// The residual of the mean cycle, over time: `sound` is that of the section.
+void subtract_orders(Work& work, std::vector<double> sound) {
+  const std::vector<double>& theta = work.section->theta;
   const std::vector<double> cycle = mean_cycle(work.block, 0, work.block.cycles);
   std::vector<double> wrapped(cycle.end() - 32, cycle.end()), at;
   wrapped.insert(wrapped.end(), cycle.begin(), cycle.end());
   wrapped.insert(wrapped.end(), cycle.begin(), cycle.begin() + 32);
-  at.reserve(s.theta.size());
-  for (const double theta : s.theta) {
-    const double angle = theta - work.origin;
-    at.push_back(32 + (angle - std::floor(angle)) * work.block.N);
+  for (std::size_t first = 0; first < sound.size(); first += kAtOnce) {
+    const std::size_t end = std::min(sound.size(), first + kAtOnce);
+    at.clear();
+    for (std::size_t n = first; n < end; ++n) {
+      const double angle = theta[n] - work.origin;
+      at.push_back(32 + (angle - std::floor(angle)) * work.block.N);
+    }
+    const std::vector<double> repeated = interpolated(wrapped, at, {32, 10, 1});
+    for (std::size_t n = first; n < end; ++n) sound[n] -= repeated[n - first];
   }
-  const std::vector<double> repeated = interpolated(wrapped, at, {32, 10, 1});
-  work.residual = s.x;
-  for (std::size_t n = 0; n < s.x.size(); ++n) work.residual[n] -= repeated[n];
+  work.residual = std::move(sound);
 }
 
 /// Lines off the orders become tones of the model: in slots they would be noise.
@@ -263,9 +267,8 @@ LearnedDiesel learn_diesel(const std::vector<DieselTake>& takes, const DieselSet
     const int last = last_order(*w.section, model.angle_samples);
     w.orders = orders_of(w.block, 0, w.block.cycles, last);
     add_moments(w, last, moments);
-    subtract_orders(w);
+    subtract_orders(w, std::exchange(sections[i].x, {}));
     w.leave_block();
-    sections[i].x = std::vector<double>();
     step();
   }
   model.oscillators = subtract_lines(model.angle_samples, work);

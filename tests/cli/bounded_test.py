@@ -15,6 +15,7 @@ import tempfile
 import unittest
 import zlib
 
+from sound_files import diesel, drilling, write_long_wav
 from sound_set import write_sound_set
 
 RIGSOUND, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
@@ -184,6 +185,32 @@ class Logs(Bounded):
         self.assertEqual(child.stderr.read(), b'')
         child.stderr.close()
         self.assertEqual(child.wait(timeout=60), -signal.SIGPIPE)
+
+
+class Recordings(Bounded):
+    """What a long recording takes is on the disk, not in memory."""
+    LITTLE_MB = 12
+
+    def peaks_mb(self, *words, second, lengths):
+        peaks = []
+        for seconds in lengths:
+            file = write_long_wav(self.folder / f'of_{seconds}_s.wav', second, seconds)
+            code, stderr, memory = self.run_verb(words[0], file, *words[1:])
+            self.assertEqual(code, 0, stderr[:2000])
+            peaks.append(memory)
+            print(f'FIGURE {words[0]} of {seconds} s: {memory:.0f} MB', flush=True)
+        return peaks
+
+    def test_analyze(self):
+        short, long = self.peaks_mb('analyze', '--situation', 'normal', '--no-denoise', '--out', self.folder / 'made',
+                                    second=drilling(), lengths=(20, 80))
+        self.assertLess(long, short + self.LITTLE_MB)
+        self.assertLess(long, 80)
+
+    def test_background(self):
+        short, long = self.peaks_mb('background', '--rpm', 1440, '--out', self.folder / 'made', second=diesel(), lengths=(45, 110))
+        self.assertLess(long, short + self.LITTLE_MB)
+        self.assertLess(long, 150)
 
 
 if __name__ == '__main__':

@@ -1,7 +1,9 @@
 """Sound files for tests, written and read from the description of WAV and by nothing of rigsound."""
+import array
 import ctypes
 import math
 import pathlib
+import random
 import struct
 
 
@@ -36,6 +38,30 @@ def strikes(seconds, rate=48000, every_s=0.04):
     step = int(every_s * rate)
     return [0.4 * math.exp(-(n % step) / (0.004 * rate)) * math.sin(2 * math.pi * 1900 * (n % step) / rate)
             for n in range(int(seconds * rate))]
+
+
+def drilling():
+    """A second at 48 kHz: forty strikes."""
+    return [0.8 * math.exp(-(n % 1200) / 190) * math.sin(0.25 * (n % 1200)) for n in range(48000)]
+
+
+def diesel():
+    """A second at 48 kHz: twelve cycles, at 1440 r/min."""
+    return [0.8 * math.exp(-(n % 4000) / 400) * math.sin(0.02 * (n % 4000)) for n in range(48000)]
+
+
+def write_long_wav(path, second, seconds):
+    """Two channels of 16 bit at 48 kHz: the same second again and again, and noise that is mixed in when they are read."""
+    size, draw = seconds * 48000 * 4, random.Random(1)
+    frames = array.array('h', bytes(48000 * 4))
+    frames[0::2] = array.array('h', [round(32767 * x) for x in second])
+    with open(path, 'wb') as file:
+        file.write(b'RIFF' + struct.pack('<I', 36 + size) + b'WAVEfmt ' + struct.pack('<IHHIIHH', 16, 1, 2, 48000, 48000 * 4, 4, 16) +
+                   b'data' + struct.pack('<I', size))
+        for _ in range(seconds):
+            frames[1::2] = array.array('h', array.array('b', draw.randbytes(48000)))
+            file.write(frames.tobytes())
+    return pathlib.Path(path)
 
 
 class Info(ctypes.Structure):

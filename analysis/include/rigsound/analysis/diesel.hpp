@@ -23,7 +23,7 @@ struct DieselTake {
   std::vector<double> impacts_s;  ///< times of hammer impacts in it, s, ascending; empty: clean
 };
 
-constexpr double kLongestTake_s = 50;  ///< 270 cycles at 650 r/min; 100 make a good model
+constexpr double kLongestTake_s = 40;  ///< 216 cycles at 650 r/min; 100 make a good model
 
 /// What to read of a longer recording, so that memory does not grow with it: of a steady one (`rpm` is empty)
 /// the middle, else where the speed moves most; all of a shorter one. Thread: OFF.

@@ -6,7 +6,7 @@
 using namespace rigsound::analysis;
 
 TEST_CASE("a recording up to the longest take is learned from as a whole") {
-  for (const TimeTable& rpm : {TimeTable{}, TimeTable{{0, 50}, {800, 2000}}}) {
+  for (const TimeTable& rpm : {TimeTable{}, TimeTable{{0, 40}, {800, 2000}}}) {
     const Stretch all = learned_stretch(kLongestTake_s, rpm);
     CHECK(all.start_s == 0);
     CHECK(all.end_s >= kLongestTake_s);
@@ -17,8 +17,8 @@ TEST_CASE("of a longer one at a steady speed it is the middle") {
   const TimeTable same{{0, 1000, 3600}, {800, 800, 800}};
   for (const TimeTable& rpm : {TimeTable{}, same}) {
     const Stretch middle = learned_stretch(3600, rpm);
-    CHECK(middle.start_s == doctest::Approx(1775));
-    CHECK(middle.end_s == doctest::Approx(1825));
+    CHECK(middle.start_s == doctest::Approx(1780));
+    CHECK(middle.end_s == doctest::Approx(1820));
   }
 }
 
