@@ -21,10 +21,10 @@ TEST_CASE("A session that is full when the sounds can no longer be played ends, 
       {(rig.folder.path / "rig.toml").string(), {rig.folder.path / "sessions", 4}});  // full from its start
   rig.trim_db(-60);
   const Running running(daemon);
-  const auto broken = [](const nlohmann::json& s) {
-    return !s["session"]["problem"].empty() && s["session"]["problem"] != "";
+  const auto ended = [](const nlohmann::json& s) {  // by the thread that writes
+    return s["session"]["problem"] != "" && s["session"]["recording"] == false;
   };
-  const nlohmann::json at_end = status_when(rig.socket(), broken);
+  const nlohmann::json at_end = status_when(rig.socket(), ended);
   const std::string problem = at_end["session"]["problem"];
   CHECK(problem.find((rig.folder.path / "set").string() + ": cannot be played: ") != std::string::npos);
   CHECK(problem.find("gain_db") != std::string::npos);
