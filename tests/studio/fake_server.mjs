@@ -16,8 +16,8 @@ const bodyOf = async (request) => {
 };
 
 /** `routes`: {'GET /state': answer}, where an answer is an object (JSON), octets, or a function of {query, body, path, response}
- *  that gives one, or {status, json}. The longest key that begins the path serves it. */
-export const fakeServer = async (pages, routes) => {
+ *  that gives one, or {status, json}. The longest key that begins the path serves it. `files`: scripts of the test's own. */
+export const fakeServer = async (pages, routes, files = {}) => {
   const asked = [];
   const server = http.createServer(async (request, response) => {
     const url = new URL(request.url, 'http://127.0.0.1');
@@ -27,6 +27,7 @@ export const fakeServer = async (pages, routes) => {
     };
     if (!url.pathname.startsWith('/api/v1/')) {
       const file = normalize(url.pathname === '/' ? '/index.html' : url.pathname);
+      if (files[file]) return send(200, kTypes.js, files[file]);
       return readFile(join(pages, file)).then((text) => send(200, kTypes[file.split('.').pop()] ?? 'text/plain', text), () => send(404, 'text/plain', ''));
     }
     const path = url.pathname.slice('/api/v1'.length), body = await bodyOf(request);

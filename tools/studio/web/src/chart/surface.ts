@@ -145,5 +145,13 @@ export class Surface {
     paint.restore();
   }
 
+  dot(atX: number, atY: number, colour: string): void {
+    const { paint } = this;
+    paint.fillStyle = this.colour(colour);
+    paint.beginPath();
+    paint.arc(this.x(atX), this.y(atY), 3.5, 0, 2 * Math.PI);
+    paint.fill();
+  }
+
   close(): void { this.observer.disconnect(); }
 }

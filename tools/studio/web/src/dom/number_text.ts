@@ -9,7 +9,7 @@ export const decibels = (amplitude: number): string =>
   amplitude > 1e-5 ? `${shown(20 * Math.log10(amplitude), 0.1)} dB` : '−∞ dB';
 
 export const clock = (seconds: number, decimals = 0): string => {
-  const minutes = Math.floor(seconds / 60), hours = Math.floor(minutes / 60);
-  const rest = (seconds - 60 * minutes).toFixed(decimals).padStart(decimals ? 3 + decimals : 2, '0');
+  const unit = 10 ** decimals, all = Math.round(seconds * unit), minutes = Math.floor(all / (60 * unit)), hours = Math.floor(minutes / 60);
+  const rest = ((all - 60 * unit * minutes) / unit).toFixed(decimals).padStart(decimals ? 3 + decimals : 2, '0');
   return hours ? `${hours}:${String(minutes % 60).padStart(2, '0')}:${rest}` : `${minutes}:${rest}`;
 };
