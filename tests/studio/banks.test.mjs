@@ -22,9 +22,8 @@ before(async () => {
     [`GET /banks/${kName}/clicks/`]: tone(900, 0.05),
     [`PUT /banks/${kName}/refinement`]: ({ body }) => (conflict ? { status: 409, json: { error: 'changed', version: 'r9' } } : { ...body, version: 'r1' }),
     [`DELETE /banks/${kName}/refinement`]: documents.refinement }, { '/capture.js': kCapture });
-  studio = await openPage(`${server.address}`);
+  studio = await openPage(server.address, { at: 'compare' });
   page = studio.page;
-  await page.evaluate(() => { location.hash = '#/compare'; });
   await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
 });
 after(async () => { await closeBrowser(); await server?.stop(); set?.end(); });

@@ -3,9 +3,9 @@ import { mkdir } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
-import { web, output } from './places.mjs';
+import { output, packages } from './places.mjs';
 
-const modules = createRequire(join(web, 'package.json'));
+const modules = createRequire(join(packages, 'package.json'));
 const kChromium = ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync);
 const kFlags = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
   '--disable-component-update', '--disable-sync', '--autoplay-policy=no-user-gesture-required'];
@@ -26,8 +26,8 @@ const keepNodes = () => {
   };
 };
 
-/** A page at 1280x800; `problems` collects what its console complains of. */
-export const openPage = async (address, { dark = false, width = 1280, height = 800, zoom = 1 } = {}) => {
+/** A page at 1280x800, `at` one of the studio's; `problems` collects what its console complains of. */
+export const openPage = async (address, { at = '', dark = false, width = 1280, height = 800, zoom = 1 } = {}) => {
   browser ??= await modules('playwright-core').chromium.launch({ executablePath: kChromium, args: kFlags });
   const context = await browser.newContext({ viewport: { width: Math.round(width / zoom), height: Math.round(height / zoom) }, deviceScaleFactor: zoom,
     colorScheme: dark ? 'dark' : 'light', acceptDownloads: true });
@@ -35,7 +35,9 @@ export const openPage = async (address, { dark = false, width = 1280, height = 8
   page.on('console', (message) => { if (message.type() === 'error') problems.push(message.text()); });
   page.on('pageerror', (error) => problems.push(String(error)));
   await page.addInitScript(keepNodes);
-  await page.goto(address);
+  const { origin, hash } = new URL(address);
+  if (at) await page.addInitScript((token) => sessionStorage.setItem('rigsound-token', token), hash.slice(1));
+  await page.goto(at ? `${origin}/#/${at}` : address);
   return { page, problems, close: () => context.close() };
 };
 

@@ -7,18 +7,18 @@ import { after, before, test } from 'node:test';
 import { closeBrowser, complaints, openPage, photograph } from './browser.mjs';
 import * as documents from './documents.mjs';
 import { fakeServer } from './fake_server.mjs';
-import { build, pages, web } from './places.mjs';
+import { build, packages, pages, web } from './places.mjs';
 import { tone } from './sounds.mjs';
 
 // scipy 1.10.1: stats.binomtest(k, n, 0.5, 'greater').pvalue
-const kBinomial = [[16, 16, 1.52587890625e-05], [12, 16, 0.0384063720703125], [11, 16, 0.105056762695312], [8, 16, 0.598190307617188], [0, 10, 1], [59, 100, 0.0443130291823994]];
-// scipy 1.10.1: stats.quantile_test(x, q=0, p=0.5).confidence_interval(0.95), numpy.median
+const kBinomial = [[16, 16, 1.52587890625e-05], [12, 16, 0.0384063720703125], [11, 16, 0.1050567626953125], [8, 16, 0.5981903076171875], [0, 10, 1], [59, 100, 0.044313040057033834]];
+// numpy.median, and the k-th values from below and from above with scipy's k = stats.binom.ppf(0.025, n, 0.5); none for k = 0
 const kMedians = [[[62, 71, 80, 55, 90, 64], 67.5, [55, 90]], [[62, 71, 80, 55, 90, 64, 77, 83, 41, 68], 69.5, [55, 83]],
   [[10, 20, 30, 40, 50, 60, 70, 80, 90, 100, 15, 25, 35, 45, 55], 45, [25, 70]], [[1, 2, 3, 4, 5], 3, null]];
 let server, studio, page;
 before(async () => {
   server = await fakeServer(pages, {
-    'GET /state': documents.withRecording, 'GET /sound_set': documents.withBanks, 'POST /listen/sounds': { gain_db: { recorded: 0, denoised: 1.2, synthesised: 0.4, anchor: 0 }, rms_db: -26 },
+    'GET /state': documents.state, 'GET /sound_set': documents.withBanks, 'POST /listen/sounds': { gain_db: { recorded: 0, denoised: 1.2, synthesised: 0.4, anchor: 0 }, rms_db: -26 },
     'POST /listen/results': { name: '2026-01-01T00-00-00Z.csv' }, 'GET /banks/': tone(440, 6) });
   studio = await openPage(server.address);
   page = studio.page;
@@ -31,7 +31,7 @@ const sent = () => JSON.parse(server.asked.filter(({ path, method }) => method =
 test('figures are those of scipy', async () => {
   const folder = mkdtempSync(join(build, 'statistics.'));
   try {
-    await createRequire(join(web, 'package.json'))('esbuild').build({ entryPoints: [join(web, 'src/listen/statistics.ts')], outfile: join(folder, 'statistics.mjs'), format: 'esm' });
+    await createRequire(join(packages, 'package.json'))('esbuild').build({ entryPoints: [join(web, 'src/listen/statistics.ts')], outfile: join(folder, 'statistics.mjs'), format: 'esm' });
     const { guessing, median, medianInterval } = await import(join(folder, 'statistics.mjs'));
     for (const [k, n, p] of kBinomial) assert.ok(Math.abs(guessing(k, n) - p) < 1e-12, `${k} of ${n}: ${guessing(k, n)}`);
     for (const [values, middle, interval] of kMedians) {

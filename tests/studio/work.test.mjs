@@ -35,7 +35,7 @@ before(async () => {
     'GET /diesel/diesel/spectrum': ({ query }) => diesel(Number(query.get('rpm'))), 'GET /diesel/diesel/sound': tone(50, 1),
     'GET /live/events': ({ response }) => { tellLive = (line) => response.write(`${JSON.stringify(line)}\n`); tellLive({ event: 'change', uptime_s: 7, missed: 0, change: status }); },
     'POST /live': ({ body }) => (body.command === 'status' ? { ok: true, audio: { load: 0.021 }, signals: [{ name: 'engine_rpm', age_s: 0.04 }, { name: 'boom1.rod_count', age_s: 7.5 }] } : { ok: true }) });
-  studio = await openPage(server.address);
+  studio = await openPage(server.address, { at: 'steel' });
   page = studio.page;
   await page.getByRole('link', { name: 'Analyse' }).waitFor();
 });
@@ -96,7 +96,7 @@ test('Live: signals with ages, changes as they come, controls go out', async () 
   await page.getByText('7.5 s').waitFor();
   tellLive({ event: 'change', uptime_s: 8, missed: 0, change: { booms: { boom1: { situation: 'overfeed', banks: [{ name: 'overfeed_09000ms', share: 1 }] } }, signals: { engine_rpm: { value: 1620 } } } });
   await page.locator('.situation').getByText('Overfeed').waitFor();
-  await page.getByText('1620.00 r/min').waitFor();
+  await page.getByText('1620 r/min').waitFor();
   await page.getByRole('slider', { name: 'Decay' }).fill('2');
   await page.waitForTimeout(200);
   assert.deepEqual(server.asked.filter(({ path, body }) => path === '/live' && body.includes('"set"')).map(({ body }) => JSON.parse(body)).at(-1), { command: 'set', key: 'boom1.decay_factor', value: 2 });

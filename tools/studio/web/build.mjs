@@ -1,7 +1,8 @@
-// build.mjs OUT ENGINE.wasm: the page's files in folder OUT, and export.html, the Rig page as one file.
-import * as esbuild from 'esbuild';
+// build.mjs OUT ENGINE.wasm: the page's files in folder OUT, and export.html, the Rig page as one file. Takes esbuild from the
+// node_modules of the current folder.
 import { createHash } from 'node:crypto';
 import { copyFile, mkdir, writeFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -10,6 +11,7 @@ if (!engine) {
   console.error('usage: node build.mjs OUT ENGINE.wasm');
   process.exit(2);
 }
+const esbuild = createRequire(join(process.cwd(), 'package.json'))('esbuild');
 const source = join(dirname(fileURLToPath(import.meta.url)), 'src');
 const common = { bundle: true, minify: true, target: 'es2021', legalComments: 'none', logLevel: 'warning' };
 

@@ -40,8 +40,16 @@ export const listenPage: Page = {
     const chosen = new Set(usable);
     const listener = h('input', { type: 'text', id: 'listener', autocomplete: 'off', maxlength: 40 });
 
+    const end = button('Stop the test', () => {
+      if (!confirm('Stop the test? Its answers are lost.')) return;
+      ++turn;
+      open?.close();
+      setUp();
+    });
+    const setRunning = (on: boolean): void => { running = on; end.hidden = !on; };
+
     const setUp = (): void => {
-      running = false;
+      setRunning(false);
       shortcuts.splice(0, shortcuts.length, { key: 'Enter', does: 'Begin', run: () => begin.click() });
       const pairs = choice('Which two', kPairs.map(([key, words]) => [key, words] as const), pair, (value) => { pair = value; });
       const count = number('Trials', { min: 1, max: 100, step: 1 }, trials, (value) => { trials = value; });
@@ -103,14 +111,14 @@ export const listenPage: Page = {
     const run = async (): Promise<void> => {
       const mine = ++turn, order = banksOf([...chosen], trials);
       answers = [];
-      running = true;
+      setRunning(true);
       try {
         if (training && !await oneTrial(order[order.length - 1] as string, 0, 'Practice', mine)) return;
         for (const [n, bank] of order.entries()) {
           if (n > 0 && n % kBreakEvery === 0) await wait('A break', `${n} of ${order.length} are done. Rest your ears for a few minutes.`, 'Go on');
           if (!await oneTrial(bank, n + 1, `Trial ${n + 1} of ${order.length}`, mine)) return;
         }
-        running = false;
+        setRunning(false);
         const again = button('Another test', setUp);
         const kept = h('p', { class: 'quiet', role: 'status' }, 'Saving');
         shortcuts.splice(0, shortcuts.length);
@@ -122,12 +130,7 @@ export const listenPage: Page = {
       }
     };
 
-    tools.replaceChildren(button('Stop the test', () => {
-      if (running && !confirm('Stop the test? Its answers are lost.')) return;
-      ++turn;
-      open?.close();
-      setUp();
-    }));
+    tools.replaceChildren(end);
     place.replaceChildren(work);
     setUp();
     return { shortcuts, unsaved: () => (running ? 'The listening test is not over; its answers are lost.' : null), close: () => { ++turn; open?.close(); } };

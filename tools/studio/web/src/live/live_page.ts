@@ -13,9 +13,11 @@ import type { LiveEvent, LiveSignal, Status } from './status';
 const kAgesEvery_ms = 1000, kAgain_ms = 1500;
 interface FullStatus { ok: boolean; signals: (LiveSignal & { name: string })[]; audio: NonNullable<Status['audio']> }
 
+const tidy = (value: number): string => String(+value.toFixed(2)).replace('-', '−');
+
 const signalRow = ([name, signal]: [string, LiveSignal], age: number | null | undefined): HTMLElement => {
   const stale = !['valid', 'ok', 'manual', 'never', 'absent', 'good'].includes(signal.validity);
-  return h('tr', { class: stale ? 'stale' : '' }, h('td', {}, name), h('td', { class: 'n' }, signal.word ? signal.word : `${shown(signal.value, 0.01)} ${signal.unit}`.trim()),
+  return h('tr', { class: stale ? 'stale' : '' }, h('td', {}, name), h('td', { class: 'n' }, signal.word ? signal.word : `${tidy(signal.value)} ${signal.unit}`.trim()),
     h('td', { class: 'n' }, age === null || age === undefined ? '–' : `${shown(age, 0.1)} s`), h('td', {}, signal.validity), h('td', { class: 'n' }, (signal.refused ?? 0) + (signal.clamped ?? 0) || '–'));
 };
 
