@@ -26,7 +26,7 @@ const inline = (text) => text.replaceAll('</script', '<\\/script').replaceAll('<
 
 // `rigsound studio --export` puts engine, packed set and rig in the place of the three words in capitals.
 const exportPage = (script, style, worklet) => {
-  const policy = `default-src 'none'; script-src ${digest(script)} 'wasm-unsafe-eval' blob:; worker-src blob:; ` +
+  const policy = `default-src 'none'; script-src ${digest(script)} 'wasm-unsafe-eval' data:; worker-src data:; ` +
     `style-src ${digest(style)}; img-src data:; base-uri 'none'; form-action 'none'`;
   const data = (id, content) => `<script type="text/plain" id="${id}">${content}</script>\n`;
   return `<!doctype html>\n<html lang="en"><head><meta charset="utf-8">

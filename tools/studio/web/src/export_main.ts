@@ -12,14 +12,14 @@ const octetsOf = (id: string): Uint8Array<ArrayBuffer> => Uint8Array.from(atob(t
 const start = async (): Promise<void> => {
   const tools = h('div', { class: 'tools' }), place = h('div', { class: 'stack' }, loading('Opening'));
   const keys = new Shortcuts([]);
-  const data = ['engine', 'sound-set', 'worklet'].map(octetsOf) as [Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>];
-  const rig = textOf('rig');
+  const [engine, set] = ['engine', 'sound-set'].map(octetsOf) as [Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>];
+  // A page from file:// has an origin of its own that no blob's address belongs to.
+  const worklet = `data:text/javascript;base64,${textOf('worklet')}`, rig = textOf('rig');
   document.body.replaceChildren(h('main', {}, h('header', {}, h('h1', {}, 'Rig'), h('p', {}, 'The sound set as the cabin plays it'), tools,
     button('Keys', () => keys.show(), { 'aria-keyshortcuts': '?' })), place));
   try {
     const facts = JSON.parse(rig) as Rig;
-    const worklet = URL.createObjectURL(new Blob([data[2]], { type: 'text/javascript' }));
-    const view = await openRigView(place, tools, { parts: { module: await WebAssembly.compile(data[0]), worklet }, set: data[1],
+    const view = await openRigView(place, tools, { parts: { module: await WebAssembly.compile(engine), worklet }, set,
       rig: facts, rocks: facts.rocks ?? [], logs: [], timelineOf: () => Promise.reject(new Error('no logs here')) });
     keys.ofPage(view.shortcuts);
   } catch (error) {
