@@ -98,7 +98,7 @@ export class Picture {
       paint.strokeStyle = surface.colour('first');
       const left = surface.x(suggestion.from_s), right = surface.x(suggestion.to_s);
       paint.strokeRect(left + 1, inner.y + 1, right - left - 2, inner.height - 2);
-      if (named && right - left > 60) this.name(surface, `${shown(100 * suggestion.drilling)} % drilling`, left, right, 'first');
+      if (named && right - left > 60) this.name(surface, `${shown(100 * suggestion.drilling)} % drilling`, left, right, 'first', inner.y + inner.height - 10);
       if (n === marks.suggested) surface.bar(suggestion.from_s, suggestion.to_s, surface === this.wave ? -1 : kLow_hz, surface === this.wave ? 1 : kHigh_hz, 'first', 0.15);
     });
     paint.setLineDash([]);
@@ -122,16 +122,16 @@ export class Picture {
     paint.restore();
   }
 
-  private name(surface: Surface, words: string, left: number, right: number, colour: string): void {
+  private name(surface: Surface, words: string, left: number, right: number, colour: string, y = surface.inner.y / 2 + 1): void {
     const { paint, inner } = surface;
     paint.save();
     paint.beginPath();
-    paint.rect(Math.max(inner.x, left), 0, right - Math.max(inner.x, left) - 3, inner.y);
+    paint.rect(Math.max(inner.x, left), 0, right - Math.max(inner.x, left) - 3, inner.y + inner.height);
     paint.clip();
     paint.fillStyle = surface.colour(colour);
     paint.textAlign = 'left';
     paint.textBaseline = 'middle';
-    paint.fillText(words, Math.max(inner.x, left) + 5, inner.y / 2 + 1);
+    paint.fillText(words, Math.max(inner.x, left) + 5, y);
     paint.restore();
   }
 
