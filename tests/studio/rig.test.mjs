@@ -19,7 +19,7 @@ let set, server, studio;
 before(async () => {
   set = smallSet();
   server = await fakeServer(pages, {
-    'GET /state': documents.state, 'GET /rig': documents.rig, 'GET /sound_set': documents.soundSet, 'GET /sound_set.rigset': set.packed,
+    'GET /state': documents.state, 'GET /rig': documents.rig, 'GET /sound_set': documents.withBanks, 'GET /sound_set.rigset': set.packed,
     'GET /logs/c00f12ab9931/timeline': documents.timeline });
   studio = await openPage(server.address, { at: 'rig' });
   await studio.page.getByRole('button', { name: 'Play', exact: true }).waitFor();
