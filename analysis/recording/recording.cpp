@@ -4,9 +4,12 @@
 #include <sndfile.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <set>
 
 #include "recording/clipping.hpp"
+#include "recording/mean_channel.hpp"
 #include "recording/open_sound.hpp"
 #include "recording/resample.hpp"
 #include "rigsound/analysis/rate.hpp"
@@ -55,22 +58,12 @@ Frames frames_of(const Stretch& stretch, const SF_INFO& info) {
   return {frame(stretch.start_s), frame(stretch.end_s)};
 }
 
-/// Block by block: a long recording is never in memory with all its channels.
+/// What is there of a stretch.
 std::vector<float> read_mixed_down(SNDFILE* sound, int channels, const Frames& frames) {
-  constexpr sf_count_t kBlock = 1 << 14;
-  std::vector<float> block(static_cast<size_t>(kBlock * channels)), mono;
+  std::vector<float> mono;
   if (sf_seek(sound, frames.begin, SEEK_SET) != frames.begin) return mono;
-  mono.reserve(static_cast<size_t>(frames.end - frames.begin));
-  for (sf_count_t left = frames.end - frames.begin; left > 0;) {
-    const sf_count_t got = sf_readf_float(sound, block.data(), std::min(kBlock, left));
-    if (got <= 0) break;
-    for (sf_count_t n = 0; n < got; ++n) {
-      float sum = 0;
-      for (int c = 0; c < channels; ++c) sum += block[static_cast<size_t>(n * channels + c)];
-      mono.push_back(sum / static_cast<float>(channels));
-    }
-    left -= got;
-  }
+  mono.resize(static_cast<size_t>(frames.end - frames.begin));
+  mono.resize(read_mean(sound, channels, mono.data(), mono.size()));
   return mono;
 }
 
@@ -116,6 +109,16 @@ Recording read_stretch(const std::filesystem::path& path, const Stretch& stretch
 }
 
 }  // namespace
+
+bool is_recording_name(const std::filesystem::path& file) {
+  static const std::set<std::string> kExtensions = {".wav", ".wave", ".w64",  ".rf64", ".flac",
+                                                    ".aif", ".aiff", ".aifc", ".au",   ".snd",
+                                                    ".caf", ".ogg",  ".oga",  ".opus", ".mp3"};
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return kExtensions.count(extension) > 0 && file.filename().string()[0] != '.';
+}
 
 Recording read_recording(const std::filesystem::path& path, const Stretch& stretch,
                          std::string_view subject) {
