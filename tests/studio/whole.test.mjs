@@ -35,11 +35,13 @@ after(async () => { await closeBrowser(); await studio?.stop(); rmSync(folder, {
 const go = (id) => page.evaluate((to) => { location.hash = `#/${to}`; }, id);
 const bank = () => readFileSync(place('set/soundset.toml'), 'utf8').match(/name = "(normal[^"]*)"/)[1];
 
-test('annotate: a suggested part is accepted, named and saved as Audacity reads it', async () => {
+test('annotate: a part is drawn by keys, named and saved as Audacity reads it', async () => {
   await page.getByRole('combobox', { name: 'Recording' }).selectOption({ label: 'normal.wav (0:18)' });
-  await page.getByRole('button', { name: 'Suggest parts' }).click();
-  await page.getByRole('button', { name: 'Accept', exact: true }).click({ timeout: kWork_ms });
-  await page.getByRole('button', { name: /select part 1,/ }).click();
+  await page.getByRole('button', { name: 'New part' }).click();
+  await page.getByLabel('To, s').fill('17');
+  await page.getByLabel('To, s').press('Tab');
+  await page.getByLabel('From, s').fill('1');
+  await page.getByLabel('From, s').press('Tab');
   await page.getByLabel('Situation').selectOption('normal');
   await page.getByLabel('Rods').fill('2');
   await page.getByLabel('Rods').press('Tab');
@@ -48,7 +50,7 @@ test('annotate: a suggested part is accepted, named and saved as Audacity reads 
   await page.getByRole('button', { name: 'Save' }).click();
   await page.getByText('Saved beside normal.wav').waitFor();
   const lines = readFileSync(place('recordings/normal.txt'), 'utf8').trim().split('\n');
-  assert.match(lines[0], /^\d+\.\d{6}\t\d+\.\d{6}\tnormal rods=2$/);
+  assert.match(lines[0], /^1\.000000\t17\.000000\tnormal rods=2$/);
 });
 
 test('analyse: every recording becomes a bank', async () => {

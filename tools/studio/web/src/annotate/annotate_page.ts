@@ -35,9 +35,13 @@ export const annotatePage: Page = {
       opened = null;
       work.replaceChildren(loading('Opening the recording'));
       try {
-        const made = await openEditor(recording, rocks, state.writable, work, actions);
+        // Another recording may be chosen before this one is there.
+        const own = h('div', { class: 'stack' }), buttons = h('div', { class: 'row' });
+        const made = await openEditor(recording, rocks, state.writable, own, buttons);
         if (mine !== turn) return made.close();
         opened = made;
+        work.replaceChildren(own);
+        actions.replaceChildren(buttons);
         shortcuts.splice(0, shortcuts.length, ...(made.shortcuts ?? []));
       } catch (error) {
         if (mine === turn) work.replaceChildren(failed(error, () => void show(id)));

@@ -146,9 +146,13 @@ export const refinePage: Page = {
       tools.replaceChildren();
       work.replaceChildren(loading('Reading the bank'));
       try {
-        const made = await openBank(name, rig, state.writable, work, tools);
+        // Another bank may be chosen before this one is there.
+        const place = h('div', { class: 'stack' }), actions = h('div', { class: 'row' });
+        const made = await openBank(name, rig, state.writable, place, actions);
         if (mine !== turn) return made.close();
         opened = made;
+        work.replaceChildren(place);
+        tools.replaceChildren(actions);
         shortcuts.splice(0, shortcuts.length, ...(made.shortcuts ?? []));
       } catch (error) {
         if (mine === turn) work.replaceChildren(failed(error, () => void show(name)));
