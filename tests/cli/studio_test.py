@@ -424,6 +424,67 @@ class SoundSet(StudioCase):
         self.assertNotIn('RIGSOUND_', text)
 
 
+    def test_a_steel_is_tuned_and_saved(self):
+        steel = {'length_m': 0.5, 'diameter_m': 0.025}
+        modes = self.ask('POST', '/steel', steel).json['modes']
+        self.assertTrue(modes and all(abs(m['error_cents']) < 1 for m in modes))
+        self.assertEqual(self.ask('POST', '/steel', {'length_m': 50, 'diameter_m': 0.025}).status, 422)
+        saved = self.ask('PUT', '/tools/bar', {**steel, 'version': 'absent'})
+        self.assertEqual(saved.status, 200, saved.body)
+        self.assertEqual(self.get('/tools/bar').json['version'], saved.json['version'])
+        self.assertEqual([t['name'] for t in self.get('/sound_set').json['tools']], ['bar'])
+        self.assertEqual(self.ask('PUT', '/tools/bar', {**steel, 'version': 'absent'}).status, 409)
+        self.assertEqual(self.ask('GET', '/tools/..').status, 404)
+
+
+class Logs(StudioCase):
+    def test_a_table_of_states_becomes_a_timeline(self):
+        text = 'time_s,signal,value\n0,engine_rpm,1500\n0.5,rattling,closed\n0.5,left.feed_pressure_bar,90\n2,engine_rpm,absent\n2,situation,normal\n'
+        (self.recordings / 'a.csv').write_text(text)
+        (self.recordings / 'shift.log').write_text('(0.0) can0 123#00\n')
+        self.start()
+        ids = {log['name']: log['id'] for log in self.get('/state').json['logs']}
+        self.assertEqual(set(ids), {'a.csv', 'shift.log'})
+        line = self.get(f'/logs/{ids["a.csv"]}/timeline').json
+        signals = {(s['boom'], s['name']): s for s in line['signals']}
+        self.assertEqual(signals['', 'engine_rpm']['changes'], [[0, 1500], [2, None]])
+        self.assertEqual((signals['', 'rattling']['changes'], signals['', 'rattling']['words']), ([[0.5, 1]], ['none', 'closed', 'open']))
+        self.assertEqual((signals['left', 'feed_pressure_bar']['changes'], signals['left', 'feed_pressure_bar']['unit']), ([[0.5, 90]], 'bar'))
+        self.assertEqual((line['situations'], line['seconds']), ([{'boom': '', 'changes': [[2, 'normal']]}], 2))
+        self.assertEqual(self.get(f'/logs/{ids["a.csv"]}/states.csv').body.decode(), text)
+        self.assertEqual(self.ask('GET', f'/logs/{ids["shift.log"]}/timeline').status, 404)  # no rig
+
+    def test_a_bus_log_is_decoded_by_the_rig(self):
+        root = pathlib.Path(__file__).resolve().parents[2]
+        (self.recordings / 'shift.log').write_bytes((root / 'config/logs/shift.log').read_bytes())
+        rig = root / 'config/rigs/demo.toml'
+        self.start('--rig', rig)
+        log, = self.get('/state').json['logs']
+        csv = subprocess.run([RIGSOUND, 'decode', rig, '--log', self.recordings / 'shift.log'], capture_output=True, text=True).stdout
+        self.assertEqual(self.get(f'/logs/{log["id"]}/states.csv').body.decode(), csv)
+        line = self.get(f'/logs/{log["id"]}/timeline').json
+        changes = sum(len(s['changes']) for s in line['signals'] + line['situations'])
+        self.assertEqual(changes, len(csv.splitlines()) - 1)
+        self.assertEqual(self.get('/rig').json['feed']['largest_bar'], 300)
+
+
+class Suggestions(StudioCase):
+    def test_a_recording_that_becomes_louder_and_faster_is_cut_there(self):
+        slow, fast = (write_recording(self.folder / f'{hz}.wav', 6, rate_hz=hz, seed=hz).read_bytes()[44:] for hz in (20, 33))
+        quiet = struct.pack(f'<{len(slow) // 2}h', *(x // 4 for x in struct.unpack(f'<{len(slow) // 2}h', slow)))
+        head = (self.folder / '20.wav').read_bytes()[:40]
+        (self.recordings / 'a.wav').write_bytes(head + struct.pack('<I', len(quiet + fast)) + quiet + fast)
+        self.start()
+        job = self.ask('POST', '/jobs', {'kind': 'suggest', 'recording': self.recording_id('a.wav')}).json['id']
+        last = json.loads(self.get(f'/jobs/{job}/events').body.splitlines()[-1])
+        self.assertEqual(last['state'], 'done', last)
+        first, second = last['result']['parts']
+        self.assertAlmostEqual(second['from_s'], 6, delta=0.25)
+        self.assertAlmostEqual(first['rate_hz'], 20, delta=0.5)
+        self.assertAlmostEqual(second['rate_hz'], 33, delta=0.7)
+        self.assertLessEqual({'rate', 'level'}, set(second['kinds']))
+
+
 class WrongUsage(StudioCase):
     def run_studio(self, *words):
         result = subprocess.run([RIGSOUND, 'studio', *map(str, words)], capture_output=True, text=True, timeout=PATIENCE_S)

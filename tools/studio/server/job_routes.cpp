@@ -2,6 +2,7 @@
 
 #include "analyze_job.hpp"
 #include "routes.hpp"
+#include "suggest_job.hpp"
 
 namespace rigsound::studio {
 namespace {
@@ -12,6 +13,8 @@ Answer start(Workplace& place, const Request& request) {
   Jobs::Work work;
   if (kind == "analyze")
     work = analyze_work(place, body);
+  else if (kind == "suggest")
+    work = suggest_work(place, body);
   else
     throw ApiError(400, "kind: is " + kind + ", expected analyze or suggest");
   return json_answer({{"id", place.jobs.start(kind, std::move(work))}}, 202);

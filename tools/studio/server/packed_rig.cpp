@@ -16,17 +16,6 @@ config::Rig rig_file(const Workplace& place) {
                                    : config::load_rig(place.options.rig, config::Buses::kLeftOut);
 }
 
-Json words_of(const SignalInfo& signal) {
-  if (signal.words.empty()) return nullptr;
-  Json words = Json::array();
-  for (std::size_t from = 0; from <= signal.words.size();) {
-    const std::size_t to = std::min(signal.words.find('|', from), signal.words.size());
-    words.push_back(signal.words.substr(from, to - from));
-    from = to + 1;
-  }
-  return words;
-}
-
 Json signals_json() {
   Json list = Json::array();
   for (const SignalInfo& signal : signal_table())
@@ -68,6 +57,17 @@ config::SoundSetParts parts_of(config::StoredBank stored) {
 }
 
 }  // namespace
+
+Json words_of(const SignalInfo& signal) {
+  if (signal.words.empty()) return nullptr;
+  Json words = Json::array();
+  for (std::size_t from = 0; from <= signal.words.size();) {
+    const std::size_t to = std::min(signal.words.find('|', from), signal.words.size());
+    words.push_back(signal.words.substr(from, to - from));
+    from = to + 1;
+  }
+  return words;
+}
 
 config::PackedRig rig_of(const Workplace& place, const config::SoundSetParts& parts) {
   const config::Rig rig = rig_file(place);

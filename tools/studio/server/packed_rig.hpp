@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rigsound/config/packed_set.hpp"
+#include "rigsound/machine/signal.hpp"
 #include "workplace.hpp"
 
 namespace rigsound::studio {
@@ -20,6 +21,9 @@ std::string packed_sound_set(const Workplace& place, PackRig rig);
 /// A set in which one bank, as analysed, serves every situation, with the rig but without steel, diesel and
 /// laws. `clicks`: those that stay; empty: all. Errors: ApiError, InputError.
 std::string packed_bank(const Workplace& place, const std::string& bank, const std::vector<int>& clicks);
+
+/// Of the values 0, 1, ... of a signal; null where it has none. Thread: any.
+Json words_of(const SignalInfo& signal);
 
 /// GET /rig.
 Json rig_description(const Workplace& place);

@@ -13,6 +13,8 @@ void add_job_routes(Router& router, Workplace& place);
 void add_sound_set_routes(Router& router, Workplace& place);
 void add_bank_routes(Router& router, Workplace& place);
 void add_live_routes(Router& router, Workplace& place);
+void add_log_routes(Router& router, Workplace& place);
+void add_steel_routes(Router& router, Workplace& place);
 void add_listening_routes(Router& router, Workplace& place);
 
 }  // namespace rigsound::studio

@@ -38,6 +38,8 @@ struct Studio::Parts {
     add_sound_set_routes(router, place);
     add_bank_routes(router, place);
     add_live_routes(router, place);
+    add_log_routes(router, place);
+    add_steel_routes(router, place);
     add_listening_routes(router, place);
   }
 
