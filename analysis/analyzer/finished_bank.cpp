@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "report/bank_page.hpp"
+#include "rigsound/analysis/bank_comparison.hpp"
 #include "rigsound/config/bank_files.hpp"
 #include "rigsound/machine/input_error.hpp"
 
@@ -79,6 +82,32 @@ std::string settings_of(const Part& part, const AnalyzerOptions& options) {
   if (!part.whole())
     text += fmt::format(" start_s={:.6f} end_s={:.6f}", part.label.start_s, part.label.end_s);
   return text;
+}
+
+Stretch stretch_of(const std::string& settings) {
+  Stretch stretch;
+  std::istringstream words(settings);
+  for (std::string word; words >> word;) {
+    const std::size_t equals = word.find('=');
+    if (equals == std::string::npos) continue;
+    const auto read = [&](double& to) {
+      std::from_chars(word.data() + equals + 1, word.data() + word.size(), to);
+    };
+    if (word.compare(0, equals, "start_s") == 0) read(stretch.start_s);
+    if (word.compare(0, equals, "end_s") == 0) read(stretch.end_s);
+  }
+  return stretch;
+}
+
+ChainOptions chain_of(const std::string& settings) {
+  ChainOptions chain;
+  std::istringstream words(settings);
+  for (std::string word; words >> word;) {
+    if (word == "method=paper") chain.method = Method::kPaper;
+    if (word == "denoise=no") chain.denoise = false;
+    if (word == "labelled=yes") chain.labelled = true;
+  }
+  return chain;
 }
 
 std::optional<AnalysedPart> finished_part(const Part& part, const std::string& sha256,

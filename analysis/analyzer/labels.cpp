@@ -97,22 +97,48 @@ Label parse(const Place& place, const std::string& text) {
   return label;
 }
 
-}  // namespace
-
-std::vector<Label> read_labels(const std::filesystem::path& path) {
-  const InputFile input(path, "label file of Audacity", kMostBytes);
-  std::ifstream in(input.path());
+std::vector<Label> read_track(std::istream& in, const std::string& name) {
   std::vector<Label> labels;
   std::string text;
-  for (Place place{input.name(), 1}; std::getline(in, text); ++place.line) {
+  for (Place place{name, 1}; std::getline(in, text); ++place.line) {
     if (place.line == 1 && text.compare(0, kByteOrderMark.size(), kByteOrderMark) == 0)
       text.erase(0, kByteOrderMark.size());
     if (!text.empty() && text.back() == '\r') text.pop_back();
     if (text.find_first_not_of(" \t") == std::string::npos || text[0] == '\\') continue;
     labels.push_back(parse(place, text));
   }
-  if (labels.empty()) throw InputError(input.name(), fmt::format("holds no labels, {}", kGrammar));
+  if (labels.empty()) throw InputError(name, fmt::format("holds no labels, {}", kGrammar));
   return labels;
+}
+
+}  // namespace
+
+std::vector<Label> read_labels(const std::filesystem::path& path) {
+  const InputFile input(path, "label file of Audacity", kMostBytes);
+  std::ifstream in(input.path());
+  return read_track(in, input.name());
+}
+
+std::vector<Label> read_labels_text(const std::string& text, const std::string& name) {
+  std::istringstream in(text);
+  return read_track(in, name);
+}
+
+std::string label_words(const Label& label) {
+  std::string words(name(label.situation));
+  if (label.rods > 0) words += fmt::format(" rods={}", label.rods);
+  if (!label.rock.empty()) words += " rock=" + label.rock;
+  if (label.rpm > 0) words += fmt::format(" rpm={}", label.rpm);
+  if (label.feed_bar > 0) words += fmt::format(" feed={}", label.feed_bar);
+  if (label.percussion_bar > 0) words += fmt::format(" percussion={}", label.percussion_bar);
+  return words;
+}
+
+std::string labels_text(const std::vector<Label>& labels) {
+  std::string text;
+  for (const Label& label : labels)
+    text += fmt::format("{:.6f}\t{:.6f}\t{}\n", label.start_s, label.end_s, label_words(label));
+  return text;
 }
 
 }  // namespace rigsound::analysis

@@ -20,20 +20,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_recording(const fs::path& file) {
-  static const std::set<std::string> kExtensions = {".wav", ".wave", ".w64",  ".rf64", ".flac",
-                                                    ".aif", ".aiff", ".aifc", ".au",   ".snd",
-                                                    ".caf", ".ogg",  ".oga",  ".opus", ".mp3"};
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return kExtensions.count(extension) > 0 && file.filename().string()[0] != '.';
-}
-
 std::vector<fs::path> recordings_in(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.is_regular_file() && is_recording(entry.path())) files.push_back(entry.path());
+    if (entry.is_regular_file() && is_recording_name(entry.path())) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
 }

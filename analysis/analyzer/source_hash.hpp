@@ -7,9 +7,6 @@
 
 namespace rigsound::analysis {
 
-/// SHA-256 of a file's bytes, 64 hex digits. Errors: InputError when it cannot be read. Thread: OFF.
-std::string file_sha256(const std::filesystem::path& path);
-
 /// Hashes a recording at most once, whichever of its parts asks first. Thread: OFF, any.
 class SourceHash {
  public:

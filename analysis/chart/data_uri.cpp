@@ -1,4 +1,4 @@
-#include "chart/data_uri.hpp"
+#include "rigsound/analysis/data_uri.hpp"
 
 #include <openssl/evp.h>
 

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "chart/data_uri.hpp"
+#include "rigsound/analysis/data_uri.hpp"
 #include "rigsound/device_error.hpp"
 
 namespace rigsound::chart {
@@ -21,6 +21,8 @@ png_image header(int width, std::size_t pixels, png_uint_32 format) {
   return image;
 }
 
+}  // namespace
+
 std::string png_bytes(const Picture& picture) {
   png_image image = header(picture.width, picture.pixels.size(), PNG_FORMAT_RGB_COLORMAP);
   image.colormap_entries = static_cast<png_uint_32>(picture.palette.size());
@@ -36,8 +38,6 @@ std::string png_bytes(const Picture& picture) {
   bytes.resize(size);
   return bytes;
 }
-
-}  // namespace
 
 std::string png_data_uri(const Picture& picture) { return data_uri("image/png", png_bytes(picture)); }
 

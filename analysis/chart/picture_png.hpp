@@ -8,6 +8,9 @@
 
 namespace rigsound::chart {
 
+/// The bytes of the file. Thread: any.
+std::string png_bytes(const Picture& picture);
+
 /// As a data URI for SVG. Thread: OFF.
 std::string png_data_uri(const Picture& picture);
 

@@ -4,10 +4,13 @@
 #include <sndfile.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "recording/clipping.hpp"
+#include "recording/mean_channel.hpp"
 #include "recording/open_sound.hpp"
 #include "recording/resample.hpp"
 #include "rigsound/analysis/rate.hpp"
@@ -64,21 +67,16 @@ using PieceListener = std::function<void(const std::vector<float>& piece)>;
 /// there were.
 sf_count_t read_mixed_down(SNDFILE* sound, int channels, const Frames& frames,
                            const PieceListener& listener) {
-  constexpr sf_count_t kBlock = 1 << 14;
-  std::vector<float> block(static_cast<size_t>(kBlock * channels)), mono;
+  constexpr std::size_t kPiece = 1 << 14;
   if (sf_seek(sound, frames.begin, SEEK_SET) != frames.begin) return 0;
+  std::vector<float> mono;
   sf_count_t left = frames.end - frames.begin;
   while (left > 0) {
-    const sf_count_t got = sf_readf_float(sound, block.data(), std::min(kBlock, left));
-    if (got <= 0) break;
-    mono.clear();
-    for (sf_count_t n = 0; n < got; ++n) {
-      float sum = 0;
-      for (int c = 0; c < channels; ++c) sum += block[static_cast<size_t>(n * channels + c)];
-      mono.push_back(sum / static_cast<float>(channels));
-    }
+    mono.resize(std::min(kPiece, static_cast<std::size_t>(left)));
+    mono.resize(read_mean(sound, channels, mono.data(), mono.size()));
+    if (mono.empty()) break;
     listener(mono);
-    left -= got;
+    left -= static_cast<sf_count_t>(mono.size());
   }
   return frames.end - frames.begin - left;
 }
@@ -180,6 +178,16 @@ Recording in_memory(StretchReader& reader) {
 }
 
 }  // namespace
+
+bool is_recording_name(const std::filesystem::path& file) {
+  static const std::set<std::string> kExtensions = {".wav", ".wave", ".w64",  ".rf64", ".flac",
+                                                    ".aif", ".aiff", ".aifc", ".au",   ".snd",
+                                                    ".caf", ".ogg",  ".oga",  ".opus", ".mp3"};
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return kExtensions.count(extension) > 0 && file.filename().string()[0] != '.';
+}
 
 Recording read_recording(const std::filesystem::path& path, const ChooseStretch& choose,
                          std::string_view subject) {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "audio/flac_bytes.hpp"
-#include "chart/data_uri.hpp"
+#include "audio/sound_bytes.hpp"
+#include "rigsound/analysis/data_uri.hpp"
 #include "rigsound/analysis/rate.hpp"
 
 namespace rigsound::analysis {

@@ -1,46 +1,24 @@
 // Panels that show figures: histograms and spectra.
 #include <algorithm>
-#include <cmath>
 
-#include "bank/candidates.hpp"
 #include "bank/recorded_levels.hpp"
 #include "chart/svg_plot.hpp"
+#include "report/measured_clicks.hpp"
 #include "report/panels.hpp"
-#include "rigsound/analysis/rate.hpp"
-#include "rigsound/dsp/elementary.hpp"
+#include "rigsound/analysis/bank_comparison.hpp"
 
 namespace rigsound::analysis {
 namespace {
 
 using chart::Axis, chart::frequency_axis, chart::linear_axis, chart::Role, chart::SvgPlot;
 
-constexpr int kBins = 30;
-
-/// Density of the lognormal with that mean and standard deviation.
-double lognormal_density(double v, double mean, double deviation) {
-  const double s2 = std::log1p(deviation * deviation / (mean * mean)), mu = std::log(mean) - 0.5 * s2;
-  const double z = (std::log(v) - mu) / std::sqrt(s2);
-  return std::exp(-0.5 * z * z) / (v * std::sqrt(dsp::kTwoPi * s2));
-}
-
-/// Histogram of `values` with the lognormal the engine draws from.
-std::string histogram(const char* title, const char* unit, const std::vector<double>& values, double mean,
-                      double deviation) {
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const double from = 0.9 * *low, to = 1.1 * *high, width = (to - from) / kBins;
-  std::vector<double> edges, share(kBins, 0.0), x, y;
-  for (int b = 0; b <= kBins; ++b) edges.push_back(from + b * width);
-  for (const double v : values)
-    share[std::min(static_cast<std::size_t>((v - from) / width), share.size() - 1)] +=
-        1 / static_cast<double>(values.size());
-  for (int i = 0; i <= 4 * kBins; ++i) {
-    x.push_back(from + i * width / 4);
-    y.push_back(deviation > 1e-6 * mean ? width * lognormal_density(x.back(), mean, deviation) : 0);
-  }
-  const double top = 1.1 * *std::max_element(share.begin(), share.end());
-  SvgPlot plot(title, linear_axis(unit, from, to), linear_axis("share of clicks", 0, top, 4), kThird);
-  plot->bars(edges, share, Role::kFirst);
-  plot->line(x, y, {Role::kThird, 1.6});
+/// A histogram with the lognormal the engine draws from.
+std::string panel(const char* title, const char* unit, const Histogram& histogram) {
+  const double top = 1.1 * *std::max_element(histogram.share.begin(), histogram.share.end());
+  SvgPlot plot(title, linear_axis(unit, histogram.edges.front(), histogram.edges.back()),
+               linear_axis("share of clicks", 0, top, 4), kThird);
+  plot->bars(histogram.edges, histogram.share, Role::kFirst);
+  plot->line(histogram.engine.x, histogram.engine.y, {Role::kThird, 1.6});
   plot->legend("measured", Role::kFirst);
   plot->legend("engine", Role::kThird);
   return plot.svg();
@@ -67,23 +45,12 @@ std::string spectrum(const char* title, Axis x, Axis y, const BandLevels& record
 }  // namespace
 
 std::string gap_panel(const Segments& segments, const ClickBank& bank) {
-  std::vector<double> gaps;
-  for (const DrillingSegment& s : segments) {
-    const std::vector<int> P = own_onsets(s);
-    for (std::size_t i = 1; i < P.size(); ++i) gaps.push_back(1e3 * (P[i] - P[i - 1]) / kAnalysisRate);
-  }
-  return histogram("Gaps between clicks", "ms", gaps, 1e3 * bank.mean_gap_samples / bank.sample_rate,
-                   1e3 * bank.gap_deviation_samples / bank.sample_rate);
+  return panel("Gaps between clicks", "ms", gap_histogram(gaps_ms(segments), bank));
 }
 
 std::string amplitude_panel(const Segments& segments, const ClickBank& bank) {
-  std::vector<double> norms;
-  double mean = 0;
-  for (const ClickCandidate& c : click_candidates(segments)) norms.push_back(c.norm);
-  for (const double v : norms) mean += v / static_cast<double>(norms.size());
-  for (double& v : norms) v /= mean;
-  return histogram("Amplitudes of clicks", "over their mean", norms, 1,
-                   bank.amplitude_deviation / bank.mean_amplitude);
+  return panel("Amplitudes of clicks", "over their mean",
+               amplitude_histogram(amplitudes_over_mean(segments), bank));
 }
 
 std::string third_octave_panel(const Segments& segments, const std::vector<float>& synthesis,

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "rigsound/config/refinement.hpp"
 #include "rigsound/file/atomic_file.hpp"
 #include "rigsound/file/atomic_folder.hpp"
 #include "rigsound/machine/input_error.hpp"
@@ -30,7 +31,7 @@ void save_bank(const fs::path& sound_set, const ClickBank& bank, const Provenanc
   files.commit();
 }
 
-StoredBank load_bank(const fs::path& bank_folder) {
+StoredBank load_analysed_bank(const fs::path& bank_folder) {
   std::error_code error;
   if (!fs::is_directory(bank_folder, error))
     throw InputError(bank_folder.string(), "is no bank folder, expected one with bank.json and clicks.wav");
@@ -43,6 +44,20 @@ StoredBank load_bank(const fs::path& bank_folder) {
   } catch (const InvalidField& invalid) {
     json.fail(invalid);
   }
+  return stored;
+}
+
+StoredBank load_bank(const fs::path& bank_folder) {
+  StoredBank stored = load_analysed_bank(bank_folder);
+  const std::optional<Refinement> refinement = load_refinement(bank_folder);
+  if (!refinement) return stored;
+  const std::string name = stored.bank.name;
+  try {
+    stored.bank = refined(stored.bank, *refinement);
+  } catch (const InvalidField& invalid) {
+    throw InputError((bank_folder / kRefinementFile).string(), 0, invalid.key(), invalid.problem());
+  }
+  stored.bank.name = name;
   return stored;
 }
 

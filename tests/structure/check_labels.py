@@ -9,7 +9,7 @@ import pathlib
 import subprocess
 import sys
 
-LABELS = ('unit', 'golden', 'cli', 'bus', 'fuzz', 'structure')
+LABELS = ('unit', 'golden', 'cli', 'bus', 'fuzz', 'structure', 'studio')
 # What only tests in machines of other kinds need: half a gigabyte and a kernel.
 HEAVY = ('qemu', 'aarch64', 'clang', 'busybox', 'slurm')
 

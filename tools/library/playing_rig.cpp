@@ -67,6 +67,18 @@ void PlayingRig::process(float* out) noexcept {
   rms_.store(meters.rms, std::memory_order_relaxed);
   limiter_gain_.store(meters.limiter_gain, std::memory_order_relaxed);
   lost_clicks_.store(meters.lost_clicks, std::memory_order_relaxed);
+  const EngineView& view = engine_.view();
+  for (std::size_t b = 0; b < drilling_.size(); ++b) {
+    drilling_[b].situation.store(view.boom[b].situation, std::memory_order_relaxed);
+    drilling_[b].hammering.store(view.boom[b].hammering, std::memory_order_relaxed);
+    drilling_[b].impacts_hz.store(view.boom[b].impacts_made_hz, std::memory_order_relaxed);
+  }
+}
+
+Drilling PlayingRig::drilling(int boom) const noexcept {
+  const SharedDrilling& shared = drilling_[static_cast<std::size_t>(boom)];
+  return {shared.situation.load(std::memory_order_relaxed), shared.hammering.load(std::memory_order_relaxed),
+          shared.impacts_hz.load(std::memory_order_relaxed)};
 }
 
 EngineMeters PlayingRig::meters() const noexcept {

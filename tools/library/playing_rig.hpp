@@ -1,6 +1,7 @@
 // A rig that any program can play: its engine, and its state set by name.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <mutex>
 #include <string_view>
@@ -9,6 +10,13 @@
 #include "rigsound/handoff/triple_buffer.hpp"
 
 namespace rigsound::library {
+
+/// What one drill did in the last block.
+struct Drilling {
+  Situation situation = Situation::kUnderfeed;
+  bool hammering = false;
+  float impacts_hz = 0;  ///< counted over the last second of sound
+};
 
 class PlayingRig {
  public:
@@ -23,7 +31,16 @@ class PlayingRig {
   void process(float* out) noexcept;     ///< one block; Thread: RT
   EngineMeters meters() const noexcept;  ///< of the last block; Thread: any
 
+  /// Of the last block; `boom` is one of the rig's. Thread: any.
+  Drilling drilling(int boom) const noexcept;
+
  private:
+  struct SharedDrilling {
+    std::atomic<Situation> situation{Situation::kUnderfeed};
+    std::atomic<bool> hammering{false};
+    std::atomic<float> impacts_hz{0};
+  };
+
   void require_boom(int boom) const;
 
   Engine engine_;
@@ -32,6 +49,7 @@ class PlayingRig {
   TripleBuffer<MachineState> handoff_;
   std::atomic<float> peak_{0}, rms_{0}, limiter_gain_{1};
   std::atomic<std::uint64_t> lost_clicks_{0};
+  std::array<SharedDrilling, kMaxBooms> drilling_;
 };
 
 }  // namespace rigsound::library

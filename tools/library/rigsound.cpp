@@ -47,6 +47,13 @@ void rigsound_meters(const rigsound_handle* rig, rigsound_levels* levels) {
   *levels = {meters.peak, meters.rms, meters.limiter_gain, meters.lost_clicks};
 }
 
+int rigsound_watch(const rigsound_handle* rig, int boom, rigsound_drilling* drilling) {
+  if (boom < 0 || boom >= rigsound_booms(rig)) return RIGSOUND_REFUSED;
+  const rigsound::library::Drilling now = rig->rig.drilling(boom);
+  *drilling = {name(now.situation).data(), now.hammering ? 1 : 0, now.impacts_hz};
+  return RIGSOUND_OK;
+}
+
 const char* rigsound_last_error(const rigsound_handle* rig) {
   return rig == nullptr ? rigsound::library::open_error().c_str() : rig->error.c_str();
 }

@@ -26,6 +26,7 @@ void add_resynth(cli::Verb& program);
 void add_merge(cli::Verb& program);
 void add_pack(cli::Verb& program);
 void add_simulate(cli::Verb& program);
+void add_studio(cli::Verb& program);
 void add_timeline(cli::Verb& program);
 void add_tool(cli::Verb& program);
 void add_unpack(cli::Verb& program);

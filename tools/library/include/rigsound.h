@@ -40,6 +40,13 @@ typedef struct rigsound_levels {
   uint64_t lost_clicks; /**< clicks dropped because every voice was busy, since rigsound_open */
 } rigsound_levels;
 
+/** What one drill did in the last block. */
+typedef struct rigsound_drilling {
+  const char* situation; /**< "normal", "underfeed", "overfeed", "closed_rattling" or "open_rattling" */
+  int hammering;         /**< 0: the hammer rests */
+  float impacts_hz;      /**< counted over the last second of sound */
+} rigsound_drilling;
+
 /** Version of the library, "1.2.3". Thread: any. */
 RIGSOUND_API const char* rigsound_version(void);
 
@@ -80,6 +87,9 @@ RIGSOUND_API void rigsound_process(rigsound_handle* rig, float* interleaved);
 
 /** What the last processed block was like. Thread: any. */
 RIGSOUND_API void rigsound_meters(const rigsound_handle* rig, rigsound_levels* levels);
+
+/** What the drill of a boom did in the last processed block. Refused: a boom that is not there. Thread: any. */
+RIGSOUND_API int rigsound_watch(const rigsound_handle* rig, int boom, rigsound_drilling* drilling);
 
 /** Why the last call that failed did, one line; "" when none has. With NULL: of rigsound_open, in this
  * thread. Valid until the next failing call. Thread: CT. */

@@ -10,6 +10,7 @@
 
 #include "rigsound/analysis/bank_builder.hpp"
 #include "rigsound/analysis/labels.hpp"
+#include "rigsound/analysis/recording.hpp"
 
 namespace rigsound::analysis {
 
@@ -60,6 +61,14 @@ struct AnalyzerResult {
   std::vector<std::string> failures;  ///< one line each: what gave no bank, and why
   std::vector<std::string> notes;     ///< one line each: what people should know about their recordings
 };
+
+/// SHA-256 of a file's bytes, 64 hex digits: Provenance::source_sha256 of a recording. Errors: InputError
+/// when it cannot be read. Thread: OFF.
+std::string file_sha256(const std::filesystem::path& path);
+
+/// The stretch of its recording that a bank was made from, of Provenance::settings; a whole recording has
+/// none at its end. Thread: any.
+Stretch stretch_of(const std::string& settings);
 
 /// Called while the work goes on, from any of its threads but one at a time.
 struct AnalyzerListener {

@@ -26,4 +26,13 @@ struct Label {
 /// are passed over. Errors: InputError with file, line and key. Thread: OFF.
 std::vector<Label> read_labels(const std::filesystem::path& path);
 
+/// The same of a text; `name` stands for the file in messages.
+std::vector<Label> read_labels_text(const std::string& text, const std::string& name);
+
+/// "normal rods=2 rock=hard rpm=1500 feed=110": what a label says, as a track has it. Thread: any.
+std::string label_words(const Label& label);
+
+/// A whole track, a line a label, which read_labels() reads back; times in microseconds. Thread: any.
+std::string labels_text(const std::vector<Label>& labels);
+
 }  // namespace rigsound::analysis

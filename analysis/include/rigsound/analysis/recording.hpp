@@ -64,6 +64,9 @@ Recording read_recording_or_silence(const std::filesystem::path& path);
 /// the file. Thread: OFF.
 std::vector<std::string> reading_notes(const std::filesystem::path& path, const RecordingFacts& recording);
 
+/// Whether a file's ending says that it is a recording; hidden files are none. Thread: any.
+bool is_recording_name(const std::filesystem::path& file);
+
 /// Length of the file. Errors: InputError as above. Thread: OFF.
 double recording_seconds(const std::filesystem::path& path);
 

@@ -1,8 +1,9 @@
-// Writing sound to disk, whole or not at all.
+// Sound as a file: on disk, whole or not at all, or in memory.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "rigsound/file/atomic_file.hpp"
@@ -17,5 +18,8 @@ std::uint64_t write_wave(const std::filesystem::path& path, const std::vector<do
 
 /// The same under the temporary name of `file`: files that belong together are committed together.
 std::uint64_t write_wave(const AtomicFile& file, const std::vector<float>& mono, int rate);
+
+/// The bytes of a WAV file of `mono`, 32-bit float, which may exceed full scale. Thread: any.
+std::string wave_bytes(const std::vector<float>& mono, int rate);
 
 }  // namespace rigsound::analysis

@@ -48,7 +48,8 @@ void save_bank(const std::filesystem::path& sound_set, const ClickBank& bank, co
                const std::vector<FileBeside>& beside = {});
 
 /// Reads a bank folder (SET/banks/NAME) at the rate it was recorded with, every value checked: finite,
-/// in range, each click between two cue points and of unit norm. Errors: InputError. Thread: OFF.
+/// in range, each click between two cue points and of unit norm; as people refined it (refinement.hpp).
+/// Errors: InputError. Thread: OFF.
 StoredBank load_bank(const std::filesystem::path& bank_folder);
 
 }  // namespace rigsound::config

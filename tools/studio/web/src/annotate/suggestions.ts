@@ -1,0 +1,22 @@
+// Parts that the analysis suggests: asked for as a job, then taken or put aside one by one.
+import { progressRow } from '../dom/progress_row';
+import { followJob, startJob, stopJob } from '../server/jobs';
+import { emptyPart, type Part, type Suggestion } from './part';
+
+const kDrilling = 0.5;
+
+export const partOf = ({ from_s, to_s }: Suggestion): Part => emptyPart(from_s, to_s);
+
+/** Those in which drilling is likely; rejects with the job's own line. Empty when it was stopped. */
+export const suggest = async (recording: string, place: HTMLElement, signal: AbortSignal): Promise<Suggestion[]> => {
+  const { id } = await startJob({ kind: 'suggest', recording });
+  const row = progressRow('Looking for parts', () => void stopJob(id));
+  place.replaceChildren(row.element);
+  try {
+    const job = await followJob<{ parts: Suggestion[] }>(id, row.show, signal);
+    if (job.state === 'failed') throw new Error(job.error ?? 'The suggestion failed.');
+    return (job.result?.parts ?? []).filter(({ drilling }) => drilling >= kDrilling);
+  } finally {
+    place.replaceChildren();
+  }
+};

@@ -1,0 +1,25 @@
+// The one audio context of the page, at the rate that is asked for, and what it takes to hear it.
+
+let context: AudioContext | null = null;
+const listeners = new Set<(context: AudioContext) => void>();
+
+/** The context at `rate`; another rate ends the one before. */
+export const outputAt = async (rate: number): Promise<AudioContext> => {
+  if (context?.sampleRate !== rate) {
+    await context?.close();
+    context = new AudioContext({ sampleRate: rate, latencyHint: 'interactive' });
+    const made = context;
+    made.addEventListener('statechange', () => listeners.forEach((listener) => listener(made)));
+  }
+  listeners.forEach((listener) => listener(context as AudioContext));
+  return context as AudioContext;
+};
+
+/** Browsers keep a page silent until a person has acted on it. */
+export const resume = async (): Promise<void> => { await context?.resume(); };
+
+export const watchOutput = (listener: (context: AudioContext) => void): (() => void) => {
+  listeners.add(listener);
+  if (context) listener(context);
+  return () => listeners.delete(listener);
+};
