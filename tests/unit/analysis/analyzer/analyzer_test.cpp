@@ -6,7 +6,7 @@
 #include <map>
 
 #include "analysis/analyzer/analyzer_workplace.hpp"
-#include "analyzer/source_hash.hpp"
+#include "rigsound/analysis/analyzer.hpp"
 #include "rigsound/analysis/recording.hpp"
 #include "rigsound/analysis/report.hpp"
 #include "rigsound/config/sound_set_index.hpp"
