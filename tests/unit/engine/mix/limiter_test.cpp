@@ -23,6 +23,11 @@ std::vector<dsp::Lanes> chunk_of(double peak, int at, int channel) {
   return x;
 }
 
+/// Lanes are no lvalues to bind to.
+double at(const std::vector<dsp::Lanes>& x, int n, int channel) {
+  return x[static_cast<std::size_t>(n)][channel];
+}
+
 }  // namespace
 
 TEST_CASE("without latency a peak on either channel, up or down, takes both down just to the ceiling") {
@@ -31,8 +36,8 @@ TEST_CASE("without latency a peak on either channel, up or down, takes both down
       Limiter limiter(kCeiling, 48000);
       std::vector<dsp::Lanes> x = chunk_of(peak, 20, channel);
       limiter.process(x.data());
-      CHECK(std::fabs(x[20][channel]) == doctest::Approx(kCeiling).epsilon(1e-12));
-      CHECK(x[20][1 - channel] == doctest::Approx(0.1 * kCeiling / 2).epsilon(1e-12));
+      CHECK(std::fabs(at(x, 20, channel)) == doctest::Approx(kCeiling).epsilon(1e-12));
+      CHECK(at(x, 20, 1 - channel) == doctest::Approx(0.1 * kCeiling / 2).epsilon(1e-12));
       CHECK(limiter.lowest_gain() == doctest::Approx(kCeiling / 2).epsilon(1e-12));
     }
 }
@@ -63,19 +68,20 @@ TEST_CASE("a sample at the ceiling is left alone, and so is what follows once th
   Limiter limiter(kCeiling, 48000);
   std::vector<dsp::Lanes> x = chunk_of(kCeiling, 5, 1);
   limiter.process(x.data());
-  CHECK(x[5][1] == kCeiling);
-  CHECK(x[6][1] == 0.1);
+  CHECK(at(x, 5, 1) == kCeiling);
+  CHECK(at(x, 6, 1) == 0.1);
   CHECK(limiter.lowest_gain() == 1);
 }
 
 TEST_CASE("the last sample of a chunk is led up to like any other, the first is cut at once") {
-  for (const int at : {0, kChunk - 1}) {
+  for (const int place : {0, kChunk - 1}) {
     Limiter limiter(kCeiling, 48000);
-    std::vector<dsp::Lanes> x = chunk_of(2, at, 0);
+    std::vector<dsp::Lanes> x = chunk_of(2, place, 0);
     limiter.process(x.data());
-    CHECK(x[static_cast<std::size_t>(at)][0] == doctest::Approx(kCeiling).epsilon(1e-12));
-    if (at > 0) CHECK(x[kChunk - 2][1] / 0.1 == doctest::Approx(kCeiling / 2 + 1.0 / kChunk).epsilon(1e-9));
-    if (at == 0) CHECK(x[kChunk - 1][1] / 0.1 < kCeiling / 2 + 0.02);
+    CHECK(at(x, place, 0) == doctest::Approx(kCeiling).epsilon(1e-12));
+    if (place > 0)
+      CHECK(at(x, kChunk - 2, 1) / 0.1 == doctest::Approx(kCeiling / 2 + 1.0 / kChunk).epsilon(1e-9));
+    if (place == 0) CHECK(at(x, kChunk - 1, 1) / 0.1 < kCeiling / 2 + 0.02);
   }
 }
 
