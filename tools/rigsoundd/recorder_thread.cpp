@@ -28,20 +28,20 @@ void RecorderThread::loop() {
 }
 
 void RecorderThread::publish() {
-  RecorderStatus now;
-  now.run = recorder_.run();
-  now.recording = recorder_.recording();
-  now.format = recorder_.header().format;
-  now.wants_new_run = recorder_.wants_new_run(silent_s_.load(std::memory_order_relaxed));
-  now.bytes = recorder_.bytes();
-  now.file = recorder_.file();
   std::string why;
   {
     const std::lock_guard<std::mutex> lock(exchanging_);
     why = std::exchange(to_give_up_, {});
   }
   if (!why.empty()) recorder_.give_up(why);
+  RecorderStatus now;
+  now.run = recorder_.run();
+  now.recording = recorder_.recording();
+  now.format = recorder_.header().format;
+  now.wants_new_run = recorder_.wants_new_run(silent_s_.load(std::memory_order_relaxed));
   now.problem = recorder_.problem();
+  now.bytes = recorder_.bytes();
+  now.file = recorder_.file();
   const std::lock_guard<std::mutex> lock(exchanging_);
   status_ = std::move(now);
 }
