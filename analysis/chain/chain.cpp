@@ -45,13 +45,17 @@ SegmentedResult run_chain_in_segments(const Samples& mono, SampleFile& file, con
   return join_segments(segments, analyse_segments(segments, mono, keep, options));
 }
 
-ChainResult run_chain(const Samples& mono, const ChainOptions& options) {
+SegmentedResult run_chain_in_memory(const Samples& mono, const ChainOptions& options) {
   const std::vector<Segment> segments = plan_segments(static_cast<long>(mono.size()));
   const auto keep = [](const Samples& sound) { return sound; };
   const std::vector<ChainResult> results = analyse_segments(segments, mono, keep, options);
-  ChainResult joined = join_segments(segments, results).joined;
-  joined.drilling = join_drilling(segments, results);
-  return joined;
+  SegmentedResult result = join_segments(segments, results);
+  result.joined.drilling = join_drilling(segments, results);
+  return result;
+}
+
+ChainResult run_chain(const Samples& mono, const ChainOptions& options) {
+  return run_chain_in_memory(mono, options).joined;
 }
 
 }  // namespace rigsound::analysis

@@ -66,7 +66,7 @@ SoundSpectra spectra_of(const std::vector<float>& sound) {
 }
 
 RecordedSide recorded_side(std::vector<float> recorded, const ChainOptions& chain, const std::string& part) {
-  const SegmentedResult result = run_chain_in_segments(recorded, chain);
+  const SegmentedResult result = run_chain_in_memory(recorded, chain);
   const Segments segments = learnable(result.drilling);
   if (segments.empty()) throw InputError(part, "no drilling is found in it any more");
   RecordedSide side;
@@ -76,7 +76,7 @@ RecordedSide recorded_side(std::vector<float> recorded, const ChainOptions& chai
   side.target = curve_of(recorded_levels(segments, Levels::kGivenBack));
   side.gaps_ms = gaps_ms(segments);
   side.amplitudes = amplitudes_over_mean(segments);
-  side.denoised = result.joined.drilling;
+  side.denoised = result.joined.drilling.all();
   side.recorded = std::move(recorded);
   return side;
 }

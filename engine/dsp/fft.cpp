@@ -29,9 +29,9 @@ void put_at(T* p, V v) noexcept {
 }
 
 /// Of one pair of halves; as many side by side as a V holds.
-template <class V, class T>
+template <class V, int kSideBySide, class T>
 void butterflies(T* re, T* im, int half, const T* c, const T* s) noexcept {
-  for (int j = 0; j < half; j += static_cast<int>(sizeof(V) / sizeof(T))) {
+  for (int j = 0; j < half; j += kSideBySide) {
     const V r0 = values_at<V>(re + j), i0 = values_at<V>(im + j), r1 = values_at<V>(re + half + j),
             i1 = values_at<V>(im + half + j), cs = values_at<V>(c + j), sn = values_at<V>(s + j);
     const V ur = r1 * cs - i1 * sn, ui = r1 * sn + i1 * cs;
@@ -71,8 +71,8 @@ void Fft<T>::forward(T* re, T* im) const noexcept {
   const T *c = cos_.data() + 1, *s = sin_.data() + 1;
   for (int half = 2; half < size_; c += half, s += half, half *= 2)
     for (int start = 0; start < size_; start += 2 * half)
-      half < kWide<T> ? butterflies<T>(re + start, im + start, half, c, s)
-                      : butterflies<Wide<T>>(re + start, im + start, half, c, s);
+      half < kWide<T> ? butterflies<T, 1>(re + start, im + start, half, c, s)
+                      : butterflies<Wide<T>, kWide<T>>(re + start, im + start, half, c, s);
 }
 
 template class Fft<float>;

@@ -72,7 +72,8 @@ std::string stretches_text(const std::vector<VerdictWindow>& verdict);
 /// Deterministic. Errors: DeviceError when the dump or the file cannot be written. Thread: OFF.
 SegmentedResult run_chain_in_segments(const Samples& mono, SampleFile& file, const ChainOptions& options);
 
-/// The same, joined with its sound, which is in memory.
+/// The same in memory; `joined` has its sound.
+SegmentedResult run_chain_in_memory(const Samples& mono, const ChainOptions& options);
 ChainResult run_chain(const Samples& mono, const ChainOptions& options);
 
 }  // namespace rigsound::analysis
