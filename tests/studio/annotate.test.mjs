@@ -8,9 +8,9 @@ import { pages } from './places.mjs';
 import { peaks, picture, tone } from './sounds.mjs';
 
 const kId = documents.recording.id, kLabels = `GET /recordings/${kId}/labels`, kWrite = `PUT /recordings/${kId}/labels`;
-const kSuggested = [{ from_s: 0, to_s: 4, kinds: [], drilling: 0.01, rate_hz: null, level_db: -50, confidence: 0.9 },
-  { from_s: 4, to_s: 9, kinds: ['level', 'rate'], drilling: 0.97, rate_hz: 41.9, level_db: -20.1, confidence: 0.99 },
-  { from_s: 12, to_s: 15, kinds: ['level'], drilling: 0.8, rate_hz: 30, level_db: -22, confidence: 0.9 }];
+const kSuggested = [{ from_s: 0, to_s: 4, kinds: [], rhythmic: 0.01, rate_hz: null, level_db: -50, confidence: 0.9 },
+  { from_s: 4, to_s: 9, kinds: ['level', 'rate'], rhythmic: 0.97, rate_hz: 41.9, level_db: -20.1, confidence: 0.99 },
+  { from_s: 12, to_s: 15, kinds: ['level'], rhythmic: 0.8, rate_hz: 30, level_db: -22, confidence: 0.9 }];
 const job = (state, more = {}) => ({ id: 'j1', kind: 'suggest', state, progress: 0.4, left_s: 3, done: [], result: null, error: null, ...more });
 
 let server, studio, page, version = 'v1', conflict = false, release;

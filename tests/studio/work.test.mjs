@@ -1,21 +1,14 @@
-// Analyse, Steel, Diesel and Live: what is sent, what is shown, and what stands there when something is missing.
+// Analyse and Live: what is sent, what is shown, and what stands there when something is missing.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { closeBrowser, complaints, openPage, photograph } from './browser.mjs';
 import * as documents from './documents.mjs';
 import { fakeServer } from './fake_server.mjs';
 import { pages } from './places.mjs';
-import { tone } from './sounds.mjs';
 
 const kId = documents.recording.id;
 const job = (state, more = {}) => ({ id: 'j1', kind: 'analyze', state, progress: 0.4, left_s: 12.5, done: [], result: null, error: null, ...more });
 const made = { bank: 'normal_01500ms', situation: 'normal', rods: 2, feed_bar: 110, rate_hz: 41.9, clicks: 10, found: 190, level_db: -20.1, snr_db: 13, ltas_error_db: 0.6, modulation_error_db: 1.1 };
-const modes = [[523.1, 523.0, 0.41], [1442, 1442.2, 0.3], [2827, 2827, 0.2], [4673, 4680, 0.12]].map(([target_hz, model_hz, t60_s], n) =>
-  ({ family: 'transversal', mode: n + 1, target_hz, model_hz, error_cents: 1200 * Math.log2(model_hz / target_hz), t60_s }));
-const hz = Array.from({ length: 200 }, (_, n) => 20 * 1.03 ** n);
-const diesel = (rpm) => ({ rpm, load: 0.3, low_rpm: 900, high_rpm: 2200, points: [{ rpm: 900, load: 0, source: 'sweep.wav' }],
-  spectrum: { hz, db: hz.map((x, n) => -40 - 8 * Math.log2(x / 20) + 6 * Math.sin(n)) }, orders: [1, 2, 3, 4].map((order) => ({ order, hz: order * rpm / 60, db: -38 - 3 * order })),
-  recorded: { rpm: 900, spectrum: { hz, db: hz.map((x) => -44 - 8 * Math.log2(x / 20)) } } });
 const status = { rig: 'demo.toml', muted: false, audio: { playing: true, card: 'hw:0', xruns: 0, deadline_misses: 2 }, meters: { peak_db: -12, rms_db: -24, limiter_db: 0, lost_clicks: 0 },
   signals: { engine_rpm: { value: 1500, unit: 'r/min', validity: 'valid', word: '', refused: 0, clamped: 0 }, 'boom1.feed_pressure_bar': { value: 90, unit: 'bar', validity: 'valid', word: '', refused: 0, clamped: 0 },
     'boom1.rod_count': { value: 2, unit: '', validity: 'stale', word: '', refused: 3, clamped: 0 } },
@@ -31,11 +24,9 @@ before(async () => {
     [`GET /recordings/${kId}/labels`]: { version: 'v1', parts: [documents.part(1.5, 6), documents.part(9, 12, { situation: 'overfeed' })], problems: [] },
     'GET /jobs': { jobs: [] }, 'POST /jobs': { id: 'j1' }, 'DELETE /jobs/j1': () => { release(); return job('stopped'); }, 'GET /jobs/j1': () => job('stopped', { done: ['normal_01500ms'], result: { banks: [made], failures: [], warnings: ['overfeed_09000ms: few clicks'] } }),
     'GET /jobs/j1/events': ({ response }) => { response.write(`${JSON.stringify(job('running', { done: ['normal_01500ms'] }))}\n`); release = () => response.end(); },
-    'POST /steel': { modes, tool: {} }, 'POST /steel/sound': tone(523, 1), 'PUT /tools/': ({ path }) => ({ name: path.split('/').pop(), version: 't1' }),
-    'GET /diesel/diesel/spectrum': ({ query }) => diesel(Number(query.get('rpm'))), 'GET /diesel/diesel/sound': tone(50, 1),
     'GET /live/events': ({ response }) => { tellLive = (line) => response.write(`${JSON.stringify(line)}\n`); tellLive({ event: 'change', uptime_s: 7, missed: 0, change: status }); },
     'POST /live': ({ body }) => (body.command === 'status' ? { ok: true, audio: { load: 0.021 }, signals: [{ name: 'engine_rpm', age_s: 0.04 }, { name: 'boom1.rod_count', age_s: 7.5 }] } : { ok: true }) });
-  studio = await openPage(server.address, { at: 'steel' });
+  studio = await openPage(server.address, { at: 'analyse' });
   page = studio.page;
   await page.getByRole('link', { name: 'Analyse' }).waitFor();
 });
@@ -55,38 +46,6 @@ test('Analyse: chosen parts are sent, a finished bank is seen while the rest goe
   await page.getByText('stopped', { exact: true }).waitFor();
   await page.getByText('few clicks').waitFor();
   await photograph(page, 'analyse_done');
-  assert.deepEqual(await complaints(page), []);
-});
-
-test('Steel: modes follow the sliders, a blow is heard, a tool is saved', async () => {
-  await go('steel');
-  await page.getByRole('cell', { name: '523.1' }).waitFor();
-  await page.getByRole('slider', { name: 'Length' }).fill('0.8');
-  await page.waitForFunction(() => true, null, { timeout: 1000 });
-  await page.waitForTimeout(400);
-  assert.equal(lastPost('/steel').length_m, 0.8);
-  await page.getByRole('checkbox', { name: 'Set the decay' }).check();
-  await page.getByRole('button', { name: 'One blow' }).click();
-  await page.waitForFunction(() => window.heard.sources.length > 0 && window.heard.sources.at(-1).context.state === 'running');
-  assert.equal(lastPost('/steel/sound').what, 'blow');
-  await page.getByLabel('Name').fill('../steel');
-  await page.getByRole('button', { name: 'Save' }).click();
-  await page.getByText('letters, digits').waitFor();
-  await page.getByLabel('Name').fill('steel_800x25');
-  await page.getByRole('button', { name: 'Save' }).click();
-  await page.getByText('Saved as steel_800x25').waitFor();
-  await photograph(page, 'steel');
-  assert.deepEqual(await complaints(page), []);
-});
-
-test('Diesel: spectrum and orders follow the speed, and it is heard', async () => {
-  await go('diesel');
-  await page.getByRole('slider', { name: 'Speed' }).fill('1800');
-  await page.getByRole('cell', { name: '30.0', exact: true }).waitFor();
-  const sounds = await page.evaluate(() => window.heard.sources.length);
-  await page.getByRole('button', { name: 'Play', exact: true }).click();
-  await page.waitForFunction((count) => window.heard.sources.length > count, sounds);
-  await photograph(page, 'diesel');
   assert.deepEqual(await complaints(page), []);
 });
 
@@ -111,11 +70,11 @@ test('Live: signals with ages, changes as they come, controls go out', async () 
   assert.deepEqual(await complaints(page), []);
 });
 
-test('without recordings, banks, backgrounds or a daemon every page says what to do', async () => {
+test('without recordings, banks or a daemon every page says what to do', async () => {
   server.routes['GET /state'] = documents.state;
   server.routes['GET /sound_set'] = documents.soundSet;
-  for (const [id, words] of [['annotate', 'There are no recordings'], ['analyse', 'There are no recordings'], ['compare', 'no banks yet'], ['refine', 'no banks yet'], ['diesel', 'no diesel yet'],
-    ['listen', 'no banks yet'], ['live', 'No daemon is connected']]) {
+  for (const [id, words] of [['annotate', 'There are no recordings'], ['analyse', 'There are no recordings'], ['compare', 'no banks yet'], ['refine', 'no banks yet'],
+    ['live', 'No daemon is connected']]) {
     await go(id);
     await page.getByText(words).waitFor();
     await photograph(page, `empty_${id}`);

@@ -104,7 +104,7 @@ export const openEditor = async (recording: Recording, rocks: string[], writable
     try {
       suggestions = await suggest(recording.id, work, stopping.signal);
       suggested = suggestions.length ? 0 : -1;
-      note.textContent = suggestions.length ? '' : 'No part was found in which drilling is likely.';
+      note.textContent = suggestions.length ? '' : 'No part was found whose clicks come in a rhythm.';
     } catch (error) { wrong(error); }
     if (!stopping.signal.aborted) showSuggestions();
   };

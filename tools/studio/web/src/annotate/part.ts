@@ -5,7 +5,7 @@ export interface Part {
   rods: number | null; rock: string | null; rpm: number | null; feed: number | null; percussion: number | null;
 }
 
-export interface Suggestion { from_s: number; to_s: number; kinds: string[]; drilling: number; rate_hz: number | null; level_db: number; confidence: number }
+export interface Suggestion { from_s: number; to_s: number; kinds: string[]; rhythmic: number; rate_hz: number | null; level_db: number; confidence: number }
 
 export const kLeast_s = 0.05;
 

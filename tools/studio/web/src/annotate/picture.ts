@@ -98,7 +98,7 @@ export class Picture {
       paint.strokeStyle = surface.colour('first');
       const left = surface.x(suggestion.from_s), right = surface.x(suggestion.to_s);
       paint.strokeRect(left + 1, inner.y + 1, right - left - 2, inner.height - 2);
-      if (named && right - left > 60) this.name(surface, `${shown(100 * suggestion.drilling)} % drilling`, left, right, 'first', inner.y + inner.height - 10);
+      if (named && right - left > 60) this.name(surface, `${shown(100 * suggestion.rhythmic)} % rhythmic`, left, right, 'first', inner.y + inner.height - 10);
       if (n === marks.suggested) surface.bar(suggestion.from_s, suggestion.to_s, surface === this.wave ? -1 : kLow_hz, surface === this.wave ? 1 : kHigh_hz, 'first', 0.15);
     });
     paint.setLineDash([]);
