@@ -10,7 +10,8 @@ namespace rigsound::analysis {
 template <class T>
 std::vector<T> mdct_frames(const std::vector<T>& x, int M) {
   const std::size_t m = static_cast<std::size_t>(M), frames = x.size() / m;
-  std::vector<T> two(2 * m), X((frames + 1) * m);  // a frame sees the hop before it, and zeros beyond the ends
+  std::vector<T> two(2 * m),
+      X((frames + 1) * m);  // a frame sees the hop before it, and zeros beyond the ends
   dsp::Mdct<T> bank(M);
   for (std::size_t t = 0; t <= frames; ++t) {
     std::copy(two.begin() + M, two.end(), two.begin());

@@ -47,7 +47,8 @@ std::vector<float> Resampler::finish() {
 std::vector<float> Resampler::converted(const std::vector<float>& piece, int end_of_input) {
   std::vector<float> y;
   SRC_DATA job{};
-  job.data_in = piece.data();
+  const float nothing = 0;
+  job.data_in = piece.empty() ? &nothing : piece.data();  // without an address the end would not be flushed
   job.input_frames = static_cast<long>(piece.size());
   job.src_ratio = ratio_;
   job.end_of_input = end_of_input;

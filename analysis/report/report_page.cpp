@@ -113,7 +113,7 @@ std::string without_player(std::string section) {
 void write_report(const fs::path& path, const fs::path& sound_set, const AnalyzerResult& result) {
   constexpr std::size_t kMostHeard = 24;  // banks, about a megabyte each
   AtomicFile file(path);
-  std::ofstream out(file.temporary(), std::ios::binary | std::ios::trunc);
+  std::ofstream out(file.temporary(), std::ios::in | std::ios::out | std::ios::binary);
   out << page_start("Analysis report", "") << summary(result);
   std::size_t heard = 0;
   for (const AnalysedPart& p : result.banks) {

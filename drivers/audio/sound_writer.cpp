@@ -1,7 +1,10 @@
 #include "rigsound/audio/sound_writer.hpp"
 
+#include <fcntl.h>
+
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -60,7 +63,10 @@ Sound open_for_writing(const AtomicFile& file, const SoundFormat& format, int ty
   info.samplerate = format.rate;
   info.channels = format.channels;
   info.format = type | subtype_of(type, format.samples);
-  Sound sound(sf_open(file.temporary().c_str(), SFM_WRITE, &info), sf_close);
+  // Never made anew: a signal may just have taken it away.
+  const int descriptor = ::open(file.temporary().c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) refuse(file.target(), std::strerror(errno));
+  Sound sound(sf_open_fd(descriptor, SFM_WRITE, &info, SF_TRUE), sf_close);
   if (!sound)
     refuse(file.target(), std::to_string(format.channels) + " channels at " + std::to_string(format.rate) +
                               " Hz: " + sf_strerror(nullptr));

@@ -84,7 +84,8 @@ void AtomicFile::commit() {
 
 void write_file(const fs::path& target, std::string_view text) {
   AtomicFile file(target);
-  std::ofstream out(file.temporary(), std::ios::binary | std::ios::trunc);
+  // Empty, and never made anew: a signal may just have taken it away.
+  std::ofstream out(file.temporary(), std::ios::in | std::ios::out | std::ios::binary);
   out.write(text.data(), static_cast<std::streamsize>(text.size()));
   out.close();
   if (!out) fail(target, "cannot be written", errno);
