@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdint>
 #include <cstring>
 #include <string>
 
@@ -35,10 +34,10 @@ MappedFile::~MappedFile() {
 }
 
 void MappedFile::forget(std::string_view part) const noexcept {
-  const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
-  const auto first = reinterpret_cast<std::uintptr_t>(part.data());
-  const std::uintptr_t from = (first + page - 1) / page * page, to = (first + part.size()) / page * page;
-  if (from < to) ::madvise(reinterpret_cast<void*>(from), to - from, MADV_DONTNEED);
+  const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  const auto first = static_cast<std::size_t>(part.data() - bytes().data());
+  const std::size_t from = (first + page - 1) / page * page, to = (first + part.size()) / page * page;
+  if (from < to) ::madvise(static_cast<char*>(data_) + from, to - from, MADV_DONTNEED);
 }
 
 }  // namespace rigsound
