@@ -35,7 +35,7 @@ class Daemon:
         with open(log, 'w') as out:
             self.process = subprocess.Popen([program, rig, *map(str, arguments)], stderr=out,
                                             env={**os.environ, **(env or {})})
-        wait_for('the control socket', lambda: os.path.exists(socket_path) or self.process.poll() is not None)
+        wait_for('the control socket', lambda: self.process.poll() is not None or self.answers())
         if self.process.poll() is not None:
             raise AssertionError('rigsoundd ended: ' + self.log())
 
@@ -59,6 +59,13 @@ class Daemon:
             while not answer.endswith(b'\n'):
                 answer += client.recv(65536)
         return json.loads(answer)
+
+    def answers(self):
+        """Between its bind and its listen a socket is there and refuses."""
+        try:
+            return self.status()['ok']
+        except (FileNotFoundError, ConnectionRefusedError):
+            return False
 
     def status(self):
         return self.ask('status')

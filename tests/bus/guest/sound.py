@@ -62,11 +62,12 @@ class Recording:
 
 
 def peak_of(path, seconds):
-    """Highest magnitude in the last `seconds` of a float recording."""
+    """Highest magnitude in the last `seconds` of a float recording, or in all of it."""
     with open(path, 'rb') as raw:
         data = raw.read()
     wanted = int(seconds * 48000) * 8
-    samples = array.array('f', data[len(data) // 8 * 8 - wanted:len(data) // 8 * 8])
+    end = len(data) // 8 * 8
+    samples = array.array('f', data[max(0, end - wanted):end])
     return max(map(abs, samples), default=0.0)
 
 
