@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/quantile.hpp"
 #include "spectrum/window_power.hpp"
 
 namespace rigsound::analysis {
@@ -19,7 +20,7 @@ constexpr double kSteady =
 /// Mean power of each band over one frame.
 class FrameLevels {
  public:
-  explicit FrameLevels(int rate) : rate_(rate), spectrum_(window_of(rate)) {}
+  explicit FrameLevels(int rate) : rate_(rate), spectrum_(short_window(rate)) {}
 
   int window() const { return spectrum_.length(); }
 
@@ -37,12 +38,6 @@ class FrameLevels {
   }
 
  private:
-  static int window_of(int rate) {
-    int length = 256;
-    while (length * 1.4 < 0.0213 * rate) length *= 2;
-    return length;
-  }
-
   double band(double low_hz, double high_hz) const {
     const double bin = static_cast<double>(rate_) / spectrum_.length();
     const auto last = static_cast<double>(spectrum_.power().size() - 1);
@@ -77,9 +72,8 @@ class RateFinder {
     std::vector<double> scores;
     for (const double hz : rates_) scores.push_back(score(hz));
     const auto best = std::max_element(scores.begin(), scores.end());
-    const double rate = rates_[static_cast<std::size_t>(best - scores.begin())], top = *best;
-    std::nth_element(scores.begin(), scores.begin() + static_cast<long>(scores.size() / 2), scores.end());
-    return top > kSteady * scores[scores.size() / 2] ? rate : 0;
+    return *best > kSteady * upper_median(scores) ? rates_[static_cast<std::size_t>(best - scores.begin())]
+                                                  : 0;
   }
 
  private:

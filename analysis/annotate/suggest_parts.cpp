@@ -3,6 +3,7 @@
 
 #include "annotate/change_points.hpp"
 #include "annotate/features.hpp"
+#include "numeric/quantile.hpp"
 #include "rigsound/analysis/suggestions.hpp"
 
 namespace rigsound::analysis {
@@ -19,11 +20,7 @@ Eigen::ArrayXXd series_of(const Features& features) {
   std::vector<double> known;
   for (const double hz : features.rate_hz)
     if (hz > 0) known.push_back(std::log(hz));
-  double middle = 0;
-  if (!known.empty()) {
-    std::nth_element(known.begin(), known.begin() + static_cast<long>(known.size() / 2), known.end());
-    middle = known[known.size() / 2];
-  }
+  const double middle = known.empty() ? 0 : upper_median(known);
   Eigen::ArrayXXd series(kFeatureBands + 1, features.frames());
   series.topRows(kFeatureBands) = features.levels;
   for (long f = 0; f < features.frames(); ++f) {
@@ -51,10 +48,7 @@ Described described(const Features& features, long from, long to) {
   d.part.end_s = features.hop_s * static_cast<double>(to);
   d.part.level_db = 10 * std::log10(power);
   d.part.rhythmic = static_cast<double>(rates.size()) / static_cast<double>(to - from);
-  if (d.part.rhythmic >= 0.5) {
-    std::nth_element(rates.begin(), rates.begin() + static_cast<long>(rates.size() / 2), rates.end());
-    d.part.rate_hz = rates[rates.size() / 2];
-  }
+  if (d.part.rhythmic >= 0.5) d.part.rate_hz = upper_median(rates);
   return d;
 }
 

@@ -11,15 +11,7 @@ namespace rigsound::analysis {
 namespace {
 
 constexpr int kTileRows = 256, kMostWindowsOfColumn = 4;
-constexpr double kTileWindow_s = 1024 / 48000.0;
 constexpr long kReadAtOnce = 8L << 20;  // frames
-
-/// About 21 ms: clicks at 40 Hz stay apart.
-int window_of(int rate) {
-  int length = 256;
-  while (length * 1.4 < kTileWindow_s * rate) length *= 2;
-  return length;
-}
 
 /// Edges of the rows from the bottom, in bins.
 std::vector<double> row_edges(int rate, int window) {
@@ -71,7 +63,7 @@ std::uint8_t colour_of(double power, double loudest) {
 
 double loudest_power(SoundReader& sound) {
   constexpr int kWindows = 1024;
-  WindowPower spectrum(window_of(sound.shape().rate));
+  WindowPower spectrum(short_window(sound.shape().rate));
   const std::vector<double> edges = row_edges(sound.shape().rate, spectrum.length());
   std::vector<float> x(static_cast<std::size_t>(spectrum.length()));
   double loudest = 0;
@@ -85,7 +77,7 @@ double loudest_power(SoundReader& sound) {
 }
 
 std::string spectrogram_tile(SoundReader& sound, const TilePlace& place, double loudest) {
-  WindowPower spectrum(window_of(sound.shape().rate));
+  WindowPower spectrum(short_window(sound.shape().rate));
   const std::vector<double> edges = row_edges(sound.shape().rate, spectrum.length());
   TileSamples samples(sound, place, spectrum.length());
   const long wide = place.column_frames();

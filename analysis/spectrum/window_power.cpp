@@ -7,6 +7,13 @@
 
 namespace rigsound::analysis {
 
+int short_window(int rate) {
+  constexpr double kWanted_s = 1024 / 48000.0;
+  int length = 256;
+  while (length * 1.4 < kWanted_s * rate) length *= 2;
+  return length;
+}
+
 WindowPower::WindowPower(int length) : fft_(length), re_(length), im_(length), power_(length / 2) {
   for (int n = 0; n < length; ++n)
     window_.push_back(static_cast<float>(0.5 - 0.5 * std::cos(dsp::kTwoPi * (n + 0.5) / length)));

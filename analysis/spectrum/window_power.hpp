@@ -7,6 +7,9 @@
 
 namespace rigsound::analysis {
 
+/// About 21 ms of samples, a power of two: clicks at 40 Hz stay apart.
+int short_window(int rate);
+
 /// Hann windows; a sine of amplitude 1 leaves a power of 1 in its bin. Thread: OFF, one at a time.
 class WindowPower {
  public:
