@@ -3,13 +3,13 @@
 #include <nlohmann/json.hpp>
 
 #include "json/json_positions.hpp"
+#include "rigsound/config/json_depth.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "text/read_text.hpp"
 
 namespace rigsound::config {
 namespace {
 
-constexpr int kMaxDepth = 32;
 constexpr std::size_t kMostObjects = 1024, kMostNumbers = 1 << 20;  // in a list
 constexpr Range kFormats{0, 1 << 20};
 
@@ -35,8 +35,8 @@ std::string kind(const nlohmann::json& value) {
 struct JsonFile::Document {
   explicit Document(const std::filesystem::path& path)
       : file(path.string()), text(read_text(path, kModelText)) {
-    if (const std::size_t deep = position_below(text, kMaxDepth); deep != kNowhere)
-      refuse(line_at(text, deep), "has brackets more than " + std::to_string(kMaxDepth) +
+    if (const std::size_t deep = position_below(text, kMaxJsonDepth); deep != kNowhere)
+      refuse(line_at(text, deep), "has brackets more than " + std::to_string(kMaxJsonDepth) +
                                       " levels deep, expected a file that rigsound writes");
     try {
       root = nlohmann::json::parse(text);

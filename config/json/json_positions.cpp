@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "rigsound/config/json_depth.hpp"
+
 namespace rigsound::config {
 namespace {
 

@@ -15,9 +15,6 @@ std::size_t key_position(std::string_view text, std::size_t object, std::string_
 /// Offsets of the items of the list whose [ is at or behind `list`, as far as they are objects.
 std::vector<std::size_t> item_positions(std::string_view text, std::size_t list);
 
-/// Offset of the first bracket that opens a level below `depth`, kNowhere when there is none.
-std::size_t position_below(std::string_view text, int depth);
-
 /// Lines count from 1.
 int line_at(std::string_view text, std::size_t position);
 

@@ -1,5 +1,6 @@
 #include "access.hpp"
 
+#include <openssl/crypto.h>
 #include <sys/random.h>
 
 #include <array>
@@ -15,10 +16,7 @@ constexpr std::string_view kApi = "/api/";
 
 /// Takes as long for a wrong first letter as for a wrong last one.
 bool same(const std::string& a, const std::string& b) {
-  if (a.size() != b.size()) return false;
-  unsigned char differs = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) differs |= static_cast<unsigned char>(a[i] ^ b[i]);
-  return differs == 0;
+  return a.size() == b.size() && ::CRYPTO_memcmp(a.data(), b.data(), a.size()) == 0;
 }
 
 bool starts_with(const std::string& text, std::string_view start) {

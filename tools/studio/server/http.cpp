@@ -3,32 +3,9 @@
 #include <charconv>
 #include <cmath>
 
+#include "rigsound/config/json_depth.hpp"
+
 namespace rigsound::studio {
-namespace {
-
-constexpr int kMostLevels = 32;
-
-/// The parser recurses for each bracket: a body of a megabyte of them must not reach the end of the stack.
-bool too_deep(const std::string& text) {
-  int depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (in_string) {
-      if (c == '\\') ++i;
-      if (c == '"') in_string = false;
-    } else if (c == '"') {
-      in_string = true;
-    } else if (c == '[' || c == '{') {
-      if (++depth > kMostLevels) return true;
-    } else if (c == ']' || c == '}') {
-      --depth;
-    }
-  }
-  return false;
-}
-
-}  // namespace
 
 double Request::number(const std::string& name, double otherwise) const {
   const auto found = query.find(name);
@@ -42,7 +19,8 @@ double Request::number(const std::string& name, double otherwise) const {
 }
 
 Json Request::object() const {
-  if (too_deep(body)) throw ApiError(400, "body: more than 32 levels of brackets");
+  if (config::position_below(body, config::kMaxJsonDepth) != std::string::npos)
+    throw ApiError(400, "body: more than 32 levels of brackets");
   Json json = Json::parse(body, nullptr, false);
   if (!json.is_object()) throw ApiError(400, "body: expected a JSON object");
   return json;
