@@ -4,7 +4,6 @@
 #include <sndfile.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -14,6 +13,7 @@
 #include "recording/open_sound.hpp"
 #include "recording/resample.hpp"
 #include "rigsound/analysis/rate.hpp"
+#include "rigsound/file/ending.hpp"
 #include "rigsound/file/input_file.hpp"
 #include "rigsound/machine/input_error.hpp"
 
@@ -183,10 +183,7 @@ bool is_recording_name(const std::filesystem::path& file) {
   static const std::set<std::string> kExtensions = {".wav", ".wave", ".w64",  ".rf64", ".flac",
                                                     ".aif", ".aiff", ".aifc", ".au",   ".snd",
                                                     ".caf", ".ogg",  ".oga",  ".opus", ".mp3"};
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return kExtensions.count(extension) > 0 && file.filename().string()[0] != '.';
+  return kExtensions.count(ending_of(file)) > 0 && file.filename().string()[0] != '.';
 }
 
 Recording read_recording(const std::filesystem::path& path, const ChooseStretch& choose,

@@ -3,7 +3,6 @@
 #include <fcntl.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -12,6 +11,7 @@
 
 #include "rigsound/audio/sample_format.hpp"
 #include "rigsound/device_error.hpp"
+#include "rigsound/file/ending.hpp"
 
 namespace rigsound::audio {
 namespace {
@@ -25,13 +25,6 @@ using Sound = std::unique_ptr<SNDFILE, int (*)(SNDFILE*)>;
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
   throw DeviceError(path.string() + ": cannot be written: " + why);
-}
-
-std::string ending_of(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
 }
 
 int wav_subtype(SampleFormat samples) {

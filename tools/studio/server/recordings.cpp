@@ -3,11 +3,11 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <set>
 
 #include "rigsound/analysis/recording.hpp"
+#include "rigsound/file/ending.hpp"
 #include "sha256.hpp"
 
 namespace rigsound::studio {
@@ -17,11 +17,7 @@ namespace {
 
 bool is_log(const fs::path& file) {
   static const std::set<std::string> kExtensions = {".log", ".asc", ".trc", ".pcap", ".pcapng", ".csv"};
-  const fs::path name = file.extension() == ".gz" ? file.stem() : file;
-  std::string extension = name.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return kExtensions.count(extension) > 0;
+  return kExtensions.count(ending_of(file.extension() == ".gz" ? file.stem() : file)) > 0;
 }
 
 /// Size, time of the last write and bytes from all over the file: hashing an hour takes longer than showing
