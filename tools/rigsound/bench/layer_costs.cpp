@@ -4,22 +4,13 @@
 #include <numeric>
 #include <utility>
 
+#include "bench/steady_states.hpp"
+
 namespace rigsound::tools {
 namespace {
 
 constexpr int kRounds = 6;
 constexpr double kQuietShare = 0.9, kQuietDifference = 0.05;
-
-/// As many blocks of a machine at rest.
-class RestingStates : public audio::StateSource {
- public:
-  explicit RestingStates(std::uint64_t blocks) : blocks_(blocks) {}
-  const MachineState* state_of(std::uint64_t number) override { return number < blocks_ ? &rest_ : nullptr; }
-
- private:
-  MachineState rest_;
-  std::uint64_t blocks_;
-};
 
 config::SoundingRig without_tools(config::SoundingRig rig) {
   for (BoomOptions& boom : rig.engine.booms) boom.tool = -1;
@@ -82,7 +73,7 @@ BenchResult layer_costs(const Workload& work, const std::function<void(double)>&
     run(tool_missing, no_tool, work.sounds, *work.states());
     run(diesel_missing, work.rig, no_diesel, *work.states());
     run(drill_and_mix, no_tool, no_diesel, *work.states());
-    RestingStates rest(whole.least_us.size() + work.settling);
+    SteadyStates rest({}, whole.least_us.size() + work.settling);
     run(mix, no_tool, no_diesel, rest);
   }
 

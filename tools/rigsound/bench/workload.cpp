@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "bench/formula_sounds.hpp"
+#include "bench/steady_states.hpp"
 #include "rigsound/audio/excerpt.hpp"
 #include "rigsound/config/rig.hpp"
 #include "rigsound/session/log_states.hpp"
@@ -12,16 +13,6 @@ namespace {
 
 constexpr float kWorking_rpm = 1800;
 constexpr double kSettling_s = 1;
-
-class SteadyStates : public audio::StateSource {
- public:
-  SteadyStates(const MachineState& state, std::uint64_t blocks) : state_(state), blocks_(blocks) {}
-  const MachineState* state_of(std::uint64_t number) override { return number < blocks_ ? &state_ : nullptr; }
-
- private:
-  MachineState state_;
-  std::uint64_t blocks_;
-};
 
 class WholeLog : public audio::StateSource {
  public:
