@@ -51,13 +51,11 @@ StoredBank load_bank(const fs::path& bank_folder) {
   StoredBank stored = load_analysed_bank(bank_folder);
   const std::optional<Refinement> refinement = load_refinement(bank_folder);
   if (!refinement) return stored;
-  const std::string name = stored.bank.name;
   try {
     stored.bank = refined(stored.bank, *refinement);
   } catch (const InvalidField& invalid) {
     throw InputError((bank_folder / kRefinementFile).string(), 0, invalid.key(), invalid.problem());
   }
-  stored.bank.name = name;
   return stored;
 }
 
