@@ -9,6 +9,7 @@
 
 #include "bench/tool/row.hpp"
 #include "bench/tool/rows.hpp"
+#include "engine/heard.hpp"
 #include "engine/tool/design/elastic_modes.hpp"
 #include "rigsound/dsp/random.hpp"
 #include "rigsound/tool_model.hpp"
@@ -20,10 +21,9 @@ namespace rigsound::bench {
 namespace {
 
 using namespace tool;
+using tests::cents;
 
 constexpr int kBars = 500;
-
-double cents(double a, double b) { return 1200 * std::log2(a / b); }
 
 template <class Law>
 double cents_from_elasticity(const std::vector<tests::ReferenceBar>& references) {

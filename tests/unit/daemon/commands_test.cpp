@@ -9,7 +9,6 @@
 
 using namespace rigsound;
 using namespace rigsound::daemon;
-using Json = nlohmann::json;
 
 namespace {
 
@@ -68,15 +67,15 @@ struct TwoBooms : DaemonControl {
   SignalBoard board;
 };
 
-Json ask(TwoBooms& daemon, const std::string& request) {
+nlohmann::json asked(TwoBooms& daemon, const std::string& request) {
   const std::string line = answer(request, daemon, daemon.client);
   REQUIRE(line.back() == '\n');
   REQUIRE(line.find('\n') == line.size() - 1);
-  return Json::parse(line);
+  return nlohmann::json::parse(line);
 }
 
 std::string refusal(TwoBooms& daemon, const std::string& request) {
-  const Json answer = ask(daemon, request);
+  const nlohmann::json answer = asked(daemon, request);
   CHECK_FALSE(answer["ok"].get<bool>());
   return answer.value("error", "");
 }
@@ -92,20 +91,20 @@ std::string releasing(const std::string& key) { return R"({"command":"release","
 
 TEST_CASE("set reaches one boom or all of them, and only within its range") {
   TwoBooms daemon;
-  CHECK(ask(daemon, R"({"command":"set","key":"left.mean_frequency_hz","value":42})")["ok"]);
+  CHECK(asked(daemon, R"({"command":"set","key":"left.mean_frequency_hz","value":42})")["ok"]);
   CHECK(daemon.controls_[0].mean_frequency_hz == 42);
   CHECK(daemon.controls_[1].mean_frequency_hz == 0);
-  CHECK(ask(daemon, R"({"command":"set","key":"decay_factor","value":2})")["ok"]);
+  CHECK(asked(daemon, R"({"command":"set","key":"decay_factor","value":2})")["ok"]);
   CHECK(daemon.controls_[0].decay_factor == 2);
   CHECK(daemon.controls_[1].decay_factor == 2);
-  CHECK(ask(daemon, R"({"command":"set","key":"mean_frequency_hz","value":0})")["ok"]);
+  CHECK(asked(daemon, R"({"command":"set","key":"mean_frequency_hz","value":0})")["ok"]);
   for (const char* bad :
        {R"({"command":"set","key":"decay_factor","value":11})",
         R"({"command":"set","key":"decay_factor","value":"x"})",
         R"({"command":"set","key":"mean_frequency_hz","value":0.5})",
         R"({"command":"set","key":"volume","value":1})",
         R"({"command":"set","key":"middle.decay_factor","value":1})", R"({"command":"set"})"}) {
-    const Json refused = ask(daemon, bad);
+    const nlohmann::json refused = asked(daemon, bad);
     CHECK_FALSE(refused["ok"].get<bool>());
     CHECK(!refused["error"].get<std::string>().empty());
   }
@@ -114,21 +113,21 @@ TEST_CASE("set reaches one boom or all of them, and only within its range") {
 
 TEST_CASE("set holds a signal of one boom, of all, or of the rig, by number or word") {
   TwoBooms daemon;
-  CHECK(ask(daemon, setting("feed_pressure_bar", "130"))["set"].size() == 2);
+  CHECK(asked(daemon, setting("feed_pressure_bar", "130"))["set"].size() == 2);
   CHECK(daemon.held(Signal::kFeedPressureBar, 0) == 130);
   CHECK(daemon.held(Signal::kFeedPressureBar, 1) == 130);
-  const Json answer = ask(daemon, setting("right.rattling", "\"open\""));
+  const nlohmann::json answer = asked(daemon, setting("right.rattling", "\"open\""));
   CHECK(answer["set"][0]["name"] == "right.rattling");
   CHECK(answer["set"][0]["manual"] == true);
   CHECK(daemon.held(Signal::kRattling, 0) == -99);
   CHECK(daemon.held(Signal::kRattling, 1) == 2);
-  ask(daemon, setting("right.rattling", "1"));
+  asked(daemon, setting("right.rattling", "1"));
   CHECK(daemon.held(Signal::kRattling, 1) == 1);
-  CHECK(ask(daemon, setting("engine_rpm", "1500"))["set"][0]["name"] == "engine_rpm");
+  CHECK(asked(daemon, setting("engine_rpm", "1500"))["set"][0]["name"] == "engine_rpm");
   CHECK(daemon.held(Signal::kEngineRpm) == 1500);
-  ask(daemon, setting("left.rock", "\"marble\""));
+  asked(daemon, setting("left.rock", "\"marble\""));
   CHECK(daemon.held(Signal::kRock) == 1);
-  ask(daemon, setting("percussion_rate_hz", "0"));
+  asked(daemon, setting("percussion_rate_hz", "0"));
   CHECK(daemon.held(Signal::kPercussionRateHz) == 0);
 }
 
@@ -160,24 +159,26 @@ TEST_CASE("every signal and every control of the lists can be set to its ends an
   for (const SignalInfo& signal : signal_table())
     for (const double value : {signal.min, signal.max}) {
       const std::string name(signal.name);
-      CHECK(ask(daemon, setting(name, Json(value).dump()))["ok"] == true);
+      CHECK(asked(daemon, setting(name, nlohmann::json(value).dump()))["ok"] == true);
       CHECK(daemon.held(*signal_by_name(name)) == value);
     }
   for (const ControlInfo& control : control_table())
-    CHECK(ask(daemon, setting(std::string(control.name), Json(control.max).dump()))["ok"] == true);
-  const Json released = ask(daemon, releasing("all"))["released"];
+    CHECK(asked(daemon, setting(std::string(control.name), nlohmann::json(control.max).dump()))["ok"] ==
+          true);
+  const nlohmann::json released = asked(daemon, releasing("all"))["released"];
   CHECK(released.size() == 4 + 2 * 12 + 2 * control_table().size());
   for_each_signal(2, [&](SignalId id) { CHECK_FALSE(daemon.holds(id)); });
   for (const ControlInfo& control : control_table())
     CHECK(daemon.controls_[1].*control.field == static_cast<float>(control.neutral));
-  CHECK(ask(daemon, releasing("all"))["released"].empty());
+  CHECK(asked(daemon, releasing("all"))["released"].empty());
 }
 
 TEST_CASE("release lets go of one signal of one boom, and leaves the others") {
   TwoBooms daemon;
-  ask(daemon, setting("feed_pressure_bar", "130"));
-  ask(daemon, setting("engine_rpm", "900"));
-  CHECK(ask(daemon, releasing("left.feed_pressure_bar"))["released"] == Json({"left.feed_pressure_bar"}));
+  asked(daemon, setting("feed_pressure_bar", "130"));
+  asked(daemon, setting("engine_rpm", "900"));
+  CHECK(asked(daemon, releasing("left.feed_pressure_bar"))["released"] ==
+        nlohmann::json({"left.feed_pressure_bar"}));
   CHECK(daemon.held(Signal::kFeedPressureBar, 0) == -99);
   CHECK(daemon.held(Signal::kFeedPressureBar, 1) == 130);
   CHECK(daemon.held(Signal::kEngineRpm) == 900);
@@ -188,32 +189,32 @@ TEST_CASE("Nonsense is answered, never obeyed") {
   TwoBooms daemon;
   for (const char* bad : {"", "{", "[]", "42", "\"status\"", "{\"command\":1}", "{\"command\":\"fly\"}",
                           "\xff\xfe", "{\"command\":\"mute\",\"on\":\"yes\"}"})
-    CHECK_FALSE(ask(daemon, bad)["ok"].get<bool>());
+    CHECK_FALSE(asked(daemon, bad)["ok"].get<bool>());
   CHECK_FALSE(daemon.muted);
 }
 
 TEST_CASE("mute turns over, or goes where it is told") {
   TwoBooms daemon;
-  CHECK(ask(daemon, R"({"command":"mute"})")["muted"] == true);
-  CHECK(ask(daemon, R"({"command":"mute","on":true})")["muted"] == true);
-  CHECK(ask(daemon, R"({"command":"mute"})")["muted"] == false);
+  CHECK(asked(daemon, R"({"command":"mute"})")["muted"] == true);
+  CHECK(asked(daemon, R"({"command":"mute","on":true})")["muted"] == true);
+  CHECK(asked(daemon, R"({"command":"mute"})")["muted"] == false);
 }
 
 TEST_CASE("exposure begins again where the output is calibrated") {
   TwoBooms daemon;
-  CHECK(ask(daemon, R"({"command": "status"})")["exposure"].is_null());
-  CHECK(ask(daemon, R"({"command": "metrics"})")["text"].get<std::string>().find("exposure") ==
+  CHECK(asked(daemon, R"({"command": "status"})")["exposure"].is_null());
+  CHECK(asked(daemon, R"({"command": "metrics"})")["text"].get<std::string>().find("exposure") ==
         std::string::npos);
-  CHECK(ask(daemon, R"({"command": "exposure_reset"})")["error"].get<std::string>().find("db_spl_at_0dbfs") !=
-        std::string::npos);
+  CHECK(asked(daemon, R"({"command": "exposure_reset"})")["error"].get<std::string>().find(
+            "db_spl_at_0dbfs") != std::string::npos);
   daemon.exposure = ExposureSnapshot{71, 70, 69, 58.5, 101, 3600, 1.5};
-  const Json told = ask(daemon, R"({"command": "status"})")["exposure"];
+  const nlohmann::json told = asked(daemon, R"({"command": "status"})")["exposure"];
   CHECK(told["laf_db"] == 71);
   CHECK(told["lex_8h_db"] == 58.5);
   CHECK(told["turned_down_db"] == 1.5);
-  CHECK(ask(daemon, R"({"command": "metrics"})")["text"].get<std::string>().find(
+  CHECK(asked(daemon, R"({"command": "metrics"})")["text"].get<std::string>().find(
             "\nrigsound_exposure_8h_decibels 58.5\n") != std::string::npos);
-  const Json reset = ask(daemon, R"({"command": "exposure_reset"})");
+  const nlohmann::json reset = asked(daemon, R"({"command": "exposure_reset"})");
   CHECK(reset["ok"] == true);
   CHECK(reset["exposure"]["lex_8h_db"] == 0);
 }
@@ -226,7 +227,7 @@ TEST_CASE("reload answers when it is over: why not, and what only a restart can 
     daemon.reloads.begin();
     CHECK(late_answer(daemon, daemon.client).empty());
     daemon.reloads.finish(std::move(result));
-    const Json said = Json::parse(late_answer(daemon, daemon.client));
+    const nlohmann::json said = nlohmann::json::parse(late_answer(daemon, daemon.client));
     CHECK(late_answer(daemon, daemon.client).empty());
     return said;
   };
@@ -237,7 +238,7 @@ TEST_CASE("reload answers when it is over: why not, and what only a restart can 
 
 TEST_CASE("status carries signals with their age, a signal never seen has none") {
   TwoBooms daemon;
-  const Json status = ask(daemon, R"({"command":"status"})");
+  const nlohmann::json status = asked(daemon, R"({"command":"status"})");
   CHECK(status["signals"][0]["value"] == 1500);
   CHECK(status["signals"][0]["age_s"] == doctest::Approx(0.01));
   CHECK(status["signals"][1]["age_s"].is_null());
@@ -246,11 +247,12 @@ TEST_CASE("status carries signals with their age, a signal never seen has none")
 
 TEST_CASE("status says why it sounds like this: situation, banks, impacts, levels, what was refused") {
   TwoBooms daemon;
-  const Json status = ask(daemon, R"({"command":"status"})");
-  const Json& right = status["booms"][1];
+  const nlohmann::json status = asked(daemon, R"({"command":"status"})");
+  const nlohmann::json& right = status["booms"][1];
   CHECK(right["situation"] == "overfeed");
   CHECK(right["feed_deviation"] == 1.5);
-  CHECK(right["banks"][0] == Json({{"name", "hard"}, {"share", 0.75}, {"rods", 6}, {"rock", "granite"}}));
+  CHECK(right["banks"][0] ==
+        nlohmann::json({{"name", "hard"}, {"share", 0.75}, {"rods", 6}, {"rock", "granite"}}));
   CHECK(right["impacts_wanted_hz"] == 40);
   CHECK(right["levels"]["string"]["peak_db"].get<double>() == doctest::Approx(-12.04).epsilon(0.001));
   CHECK_FALSE(right["levels"].contains("tool"));
@@ -266,7 +268,7 @@ TEST_CASE("status says why it sounds like this: situation, banks, impacts, level
 
 TEST_CASE("Metrics keep the rules of OpenMetrics") {
   TwoBooms daemon;
-  const std::string text = ask(daemon, R"({"command":"metrics"})")["text"];
+  const std::string text = asked(daemon, R"({"command":"metrics"})")["text"];
   CHECK(text.substr(text.size() - 6) == "# EOF\n");
   CHECK(text.find("rigsound_bus_frames_seen_total{bus=\"can \\\"0\\\"\"} 7") != std::string::npos);
   CHECK(text.find("rigsound_signal_age_seconds{signal=\"engine_rpm\"} 0.01") != std::string::npos);

@@ -52,7 +52,7 @@ TEST_CASE("Audacity labels are read as they are written") {
       "\\\t100.0\t2000.0\n"
       "\n"
       "4\t5.5\topen_rattling\n");
-  const std::vector<Label> labels = read_labels(file.path());
+  const std::vector<analysis::Label> labels = read_labels(file.path());
   REQUIRE(labels.size() == 2);
   CHECK(labels[0].start_s == 0.5);
   CHECK(labels[0].end_s == 3.25);

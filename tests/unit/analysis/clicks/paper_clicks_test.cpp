@@ -12,21 +12,21 @@ using namespace rigsound::analysis;
 
 namespace {
 
-constexpr long kPeriod = 1800, kLength = 48000;
+constexpr long kPeriod = 1800, kTrainLength = 48000;
 const ClickEnvelope kShape{60, 0, 0.0016};
 
 std::vector<long> onsets() {
   std::vector<long> P;
-  for (long n = 700; n + kPeriod < kLength; n += kPeriod) P.push_back(n);
+  for (long n = 700; n + kPeriod < kTrainLength; n += kPeriod) P.push_back(n);
   return P;
 }
 
 /// White noise under the clicks' envelopes, RMS 1.
 Eigen::ArrayXd white_clicks(unsigned seed) {
   TestNoise noise(seed);
-  Eigen::ArrayXd y = 1e-3 * noise.normals(kLength);
+  Eigen::ArrayXd y = 1e-3 * noise.normals(kTrainLength);
   for (const long P : onsets())
-    for (long n = 0; P + n < kLength; ++n) y(P + n) += envelope(kShape, double(n)) * noise.normal();
+    for (long n = 0; P + n < kTrainLength; ++n) y(P + n) += envelope(kShape, double(n)) * noise.normal();
   return y / std::sqrt(y.square().mean());
 }
 
@@ -58,7 +58,7 @@ TEST_CASE("the bend of the attack follows from its middle without a search") {
 TEST_CASE("every click has its peak in the first stage") {
   const FirstStage first = paper_first_stage(white_clicks(72));
   for (const long P : onsets()) {
-    long nearest = kLength;
+    long nearest = kTrainLength;
     for (const EnergyPeak& peak : first.peaks) nearest = std::min(nearest, std::labs(peak.P_p - P));
     CHECK(nearest < 500);
   }

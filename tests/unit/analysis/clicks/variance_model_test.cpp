@@ -13,7 +13,7 @@ using namespace rigsound::analysis;
 
 namespace {
 
-const ClickEnvelope kShape{50, 0.02, 0.002};
+const ClickEnvelope kModelShape{50, 0.02, 0.002};
 
 /// v sample by sample from the definition, then averaged over blocks.
 Eigen::ArrayXd direct_variance(const ModelClicks& clicks, const ClickEnvelope& shape, int block,
@@ -50,26 +50,26 @@ Eigen::ArrayXd noisy_blocks(const Eigen::ArrayXd& v, int block, TestNoise& noise
 }  // namespace
 
 TEST_CASE("the envelope is that of eq. 5 and 6") {
-  CHECK(envelope(kShape, -1) == 0);
-  CHECK(envelope(kShape, 0) == 0);
-  CHECK(envelope(kShape, 50) == doctest::Approx(1));
-  CHECK(envelope(kShape, 20) == doctest::Approx((1 - std::exp(-0.4)) / (1 - std::exp(-1.0))));
-  CHECK(envelope(kShape, 550) == doctest::Approx(std::exp(-1.0)));
+  CHECK(envelope(kModelShape, -1) == 0);
+  CHECK(envelope(kModelShape, 0) == 0);
+  CHECK(envelope(kModelShape, 50) == doctest::Approx(1));
+  CHECK(envelope(kModelShape, 20) == doctest::Approx((1 - std::exp(-0.4)) / (1 - std::exp(-1.0))));
+  CHECK(envelope(kModelShape, 550) == doctest::Approx(std::exp(-1.0)));
   CHECK(envelope({50, 0, 0.002}, 20) == doctest::Approx(0.4));
 }
 
 TEST_CASE("carrying the tails gives the variance that adding every tail gives") {
   const ModelClicks clicks = some_clicks();
   for (const int block : {1, 2, 8}) {
-    const Eigen::ArrayXd v = spread(clicks, kShape, block, 400);
-    CHECK((v - direct_variance(clicks, kShape, block, 400)).abs().maxCoeff() < 1e-9);
+    const Eigen::ArrayXd v = spread(clicks, kModelShape, block, 400);
+    CHECK((v - direct_variance(clicks, kModelShape, block, 400)).abs().maxCoeff() < 1e-9);
   }
 }
 
 TEST_CASE("gathering is the transpose of spreading") {
   TestNoise noise(61);
   const ModelClicks clicks = some_clicks();
-  const TrainPower train(envelope_power(kShape, 8), clicks.onset, 400);
+  const TrainPower train(envelope_power(kModelShape, 8), clicks.onset, 400);
   const Eigen::ArrayXd x = noise.normals(400);
   Eigen::ArrayXd v;
   train.spread(clicks.power, 0, v);
@@ -85,10 +85,10 @@ TEST_CASE("one logarithm for eight factors is the sum of their logarithms") {
 TEST_CASE("multiplicative sweeps never make the model less likely and find the powers") {
   TestNoise noise(63);
   ModelClicks truth = some_clicks();
-  const Eigen::ArrayXd q = noisy_blocks(spread(truth, kShape, 8, 400), 4000, noise);
+  const Eigen::ArrayXd q = noisy_blocks(spread(truth, kModelShape, 8, 400), 4000, noise);
   ModelClicks clicks = truth;
   clicks.power.setOnes();
-  const TrainPower train(envelope_power(kShape, 8), clicks.onset, 400);
+  const TrainPower train(envelope_power(kModelShape, 8), clicks.onset, 400);
   update_powers(q, train, 1, 1e9, clicks);
   double last = 1e30;
   for (int sweep = 0; sweep < 100; ++sweep) {
@@ -108,8 +108,8 @@ TEST_CASE("multiplicative sweeps never make the model less likely and find the p
 TEST_CASE("the cost of a shift is that of the model with the click moved") {
   TestNoise noise(64);
   ModelClicks clicks = some_clicks();
-  const Eigen::ArrayXd v = spread(clicks, kShape, 8, 400), q = noisy_blocks(v, 8, noise);
-  const EnvelopePower shape = envelope_power(kShape, 8);
+  const Eigen::ArrayXd v = spread(clicks, kModelShape, 8, 400), q = noisy_blocks(v, 8, noise);
+  const EnvelopePower shape = envelope_power(kModelShape, 8);
   const ShiftRange range{6, 2};
   const Eigen::ArrayXd costs = shift_costs(q, v, shape, clicks.onset[3], clicks.power(3), range);
   REQUIRE(costs.size() == 7);
@@ -117,7 +117,7 @@ TEST_CASE("the cost of a shift is that of the model with the click moved") {
   for (long k = 0; k < 7; ++k) {
     ModelClicks moved = clicks;
     moved.onset[3] += 2 * k - 6;
-    const double expected = divergence(q, spread(moved, kShape, 8, 400)) - here;
+    const double expected = divergence(q, spread(moved, kModelShape, 8, 400)) - here;
     CHECK(costs(k) - costs(3) == doctest::Approx(expected).epsilon(0.01).scale(1));
   }
 }
@@ -125,11 +125,11 @@ TEST_CASE("the cost of a shift is that of the model with the click moved") {
 TEST_CASE("a displaced click goes back to its place") {
   TestNoise noise(65);
   const ModelClicks truth = some_clicks();
-  const Eigen::ArrayXd q = noisy_blocks(spread(truth, kShape, 8, 400), 400, noise);
+  const Eigen::ArrayXd q = noisy_blocks(spread(truth, kModelShape, 8, 400), 400, noise);
   ModelClicks clicks = truth;
   clicks.onset[3] += 5;
   clicks.onset[4] -= 4;
-  shift_clicks(q, envelope_power(kShape, 8), {6, 1}, clicks);
+  shift_clicks(q, envelope_power(kModelShape, 8), {6, 1}, clicks);
   CHECK(clicks.onset[3] == truth.onset[3]);
   CHECK(clicks.onset[4] == truth.onset[4]);
 }
@@ -137,12 +137,12 @@ TEST_CASE("a displaced click goes back to its place") {
 TEST_CASE("a removal costs half of what the likelihood loses, and an addition wins back what is missing") {
   TestNoise noise(66);
   const ModelClicks clicks = some_clicks();
-  const Eigen::ArrayXd v = spread(clicks, kShape, 8, 400), q = noisy_blocks(v, 100, noise);
-  const Eigen::ArrayXd a2 = sampled_power(envelope_power(kShape, 8));
+  const Eigen::ArrayXd v = spread(clicks, kModelShape, 8, 400), q = noisy_blocks(v, 100, noise);
+  const Eigen::ArrayXd a2 = sampled_power(envelope_power(kModelShape, 8));
   ModelClicks without = clicks;
   remove_click(without, 3);
   CHECK(without.onset == std::vector<long>{-3, 20, 21, 240});
-  const Eigen::ArrayXd rest = spread(without, kShape, 8, 400);
+  const Eigen::ArrayXd rest = spread(without, kModelShape, 8, 400);
   const double expected = 0.5 * 8 * 0.5 * (divergence(q, rest) - divergence(q, v));
   CHECK(removal_cost(q, v, a2, 90, 3, 8) == doctest::Approx(expected).epsilon(0.01));
   const Addition addition = best_addition(q, rest, a2, 92, 8);
@@ -157,8 +157,8 @@ TEST_CASE("weak clicks go, missed ones come") {
   for (long P = 20; P < 1200; P += 100) truth.onset.push_back(P);
   truth.power = Eigen::ArrayXd::Constant(12, 2);
   truth.floor = 0.1;
-  const EnvelopePower shape = envelope_power(kShape, 8);
-  const Eigen::ArrayXd q = noisy_blocks(spread(truth, kShape, 8, 1250), 8, noise);
+  const EnvelopePower shape = envelope_power(kModelShape, 8);
+  const Eigen::ArrayXd q = noisy_blocks(spread(truth, kModelShape, 8, 1250), 8, noise);
   ModelClicks clicks = truth;
   clicks.onset.insert(clicks.onset.begin() + 4, 370);
   clicks.power = Eigen::ArrayXd::Constant(13, 2);

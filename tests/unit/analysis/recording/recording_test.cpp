@@ -42,7 +42,7 @@ std::vector<float> tone(int count, double hz, int rate) {
   return x;
 }
 
-std::string complaint(const fs::path& path) {
+std::string refusal(const fs::path& path) {
   try {
     read_recording(path);
   } catch (const InputError& error) {
@@ -59,7 +59,7 @@ TEST_CASE("what cannot be analysed is refused with the file's name and what was 
   const Folder folder;
   const std::vector<float> good = tone(48000, 440, 48000);
   const auto expect = [&](const fs::path& path, const std::string& word) {
-    const std::string text = complaint(path);
+    const std::string text = refusal(path);
     CHECK_MESSAGE(
         (says(text, path.string()) && says(text, word) && says(text, "expected") && !says(text, "\n")), text);
   };

@@ -17,7 +17,7 @@ using namespace rigsound::analysis;
 
 namespace {
 
-std::vector<float> tone(double hz, double amplitude, double seconds) {
+std::vector<float> faded_tone(double hz, double amplitude, double seconds) {
   std::vector<float> x;
   for (std::size_t n = 0; n < static_cast<std::size_t>(seconds * kAnalysisRate); ++n)
     x.push_back(
@@ -51,7 +51,7 @@ double peak(const std::vector<float>& x) {
 }  // namespace
 
 TEST_CASE("recorded and drilling have one gain, synthesised the drilling's level, none is longer than said") {
-  const HeardSounds sounds{tone(500, 0.4, 3.4), tone(500, 0.1, 3.4), tone(700, 0.02, 4), 2};
+  const HeardSounds sounds{faded_tone(500, 0.4, 3.4), faded_tone(500, 0.1, 3.4), faded_tone(700, 0.02, 4), 2};
   const std::string page = player(sounds);
   const auto heard = sounds_in(page);
   REQUIRE(heard.size() == 3);
@@ -66,7 +66,8 @@ TEST_CASE("recorded and drilling have one gain, synthesised the drilling's level
 }
 
 TEST_CASE("a short recording is heard as long as it is, and the synthesised no longer") {
-  const auto heard = sounds_in(player({tone(500, 0.4, 2.1), tone(500, 0.1, 2.1), tone(700, 0.02, 4), 0}));
+  const auto heard =
+      sounds_in(player({faded_tone(500, 0.4, 2.1), faded_tone(500, 0.1, 2.1), faded_tone(700, 0.02, 4), 0}));
   REQUIRE(heard.size() == 3);
   for (const auto& sound : heard) CHECK(sound.size() == static_cast<std::size_t>(2.1 * kAnalysisRate));
 }

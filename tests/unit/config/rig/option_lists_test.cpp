@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "config/rig/rig_texts.hpp"
 #include "rig/sections.hpp"
 #include "rigsound/config/fingerprint.hpp"
 #include "temporary_folder.hpp"
@@ -16,8 +17,6 @@ using namespace rigsound::test;
 namespace fs = std::filesystem;
 
 namespace {
-
-const fs::path kDemo = fs::path(RIGSOUND_CONFIG) / "rigs/demo.toml";
 
 struct Key {
   std::string name;

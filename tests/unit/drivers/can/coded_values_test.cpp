@@ -78,11 +78,11 @@ SafetyOptions strict_rules() {
 }
 
 /// What the machine is told when the field holds `raw`, after nothing else.
-struct Told {
+struct Understood {
   Validity validity;
   double value;
 };
-Told told(SignalId id, const FrameDecoder& decoder, std::uint64_t raw) {
+Understood understood(SignalId id, const FrameDecoder& decoder, std::uint64_t raw) {
   SignalBoard board;
   std::vector<Reading> readings;
   if (!decoder.decode(frame_with(raw), 1, readings)) FAIL("no message");
@@ -105,7 +105,7 @@ TEST_CASE("no field of a J1939 message moves the machine with a raw value that i
       for (const double scale : {1.0, signal.max / static_cast<double>(ones(length))}) {
         const FrameDecoder decoder = decoder_of(id, length, true, scale == 0 ? -1e-3 : scale);
         for (const std::uint64_t raw : raw_values(length)) {
-          const Told machine = told(id, decoder, raw);
+          const Understood machine = understood(id, decoder, raw);
           if (set_apart(length, raw)) {
             const bool no_value =
                 machine.validity == Validity::kErrorValue || machine.validity == Validity::kNotAvailable;
@@ -128,7 +128,7 @@ TEST_CASE("no bus delivers a marker of the engine's, and a word takes its own va
     for (int length = 1; length <= 64; ++length) {
       const FrameDecoder decoder = decoder_of(id, length, false, 1);
       for (const std::uint64_t raw : raw_values(length)) {
-        const Told machine = told(id, decoder, raw);
+        const Understood machine = understood(id, decoder, raw);
         const auto value = static_cast<double>(raw);
         const bool clamps = signal.kind == SignalKind::kClampedNumber && value <= 2 * signal.max;
         const bool good = signal.takes(value) || clamps;
@@ -153,16 +153,16 @@ TEST_CASE("what the signal map names overrules J1939") {
   route.layout.field = {0, 2, ByteOrder::kIntel};
   route.layout.codes = {{2, Validity::kValid}, {3, Validity::kNotAvailable}};
   const FrameDecoder decoder({route});
-  CHECK(told(route.target, decoder, 2).value == static_cast<double>(Rattling::kOpen));
-  CHECK(told(route.target, decoder, 3).validity == Validity::kNotAvailable);
+  CHECK(understood(route.target, decoder, 2).value == static_cast<double>(Rattling::kOpen));
+  CHECK(understood(route.target, decoder, 3).validity == Validity::kNotAvailable);
   route.layout.codes.clear();
-  CHECK(told(route.target, FrameDecoder({route}), 2).validity == Validity::kErrorValue);
+  CHECK(understood(route.target, FrameDecoder({route}), 2).validity == Validity::kErrorValue);
 }
 
 TEST_CASE("an error from the first message on is no reason to fall back on what absence means") {
   const SignalId percussion{Signal::kPercussion};
   const FrameDecoder decoder = decoder_of(percussion, 2, true, 1);
-  const Told machine = told(percussion, decoder, 0b10);
+  const Understood machine = understood(percussion, decoder, 0b10);
   CHECK(machine.validity == Validity::kErrorValue);
   CHECK(machine.value == static_cast<double>(Percussion::kOff));  // not kFromFeed, which would hammer
 }

@@ -9,8 +9,10 @@
 #include <thread>
 
 #include "rigsound/device_error.hpp"
+#include "temporary_folder.hpp"
 
 using namespace rigsound;
+using test::content;
 namespace fs = std::filesystem;
 
 namespace {
@@ -23,11 +25,6 @@ struct Folder {
     return static_cast<int>(std::distance(fs::directory_iterator(path), fs::directory_iterator()));
   }
 };
-
-std::string content(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 }  // namespace
 

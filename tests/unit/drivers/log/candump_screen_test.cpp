@@ -5,13 +5,12 @@
 #include "drivers/log/format_reader.hpp"
 
 using namespace rigsound;
-using test::Bytes;
 using test::bytes;
 using Reader = test::FormatReader;
 
 TEST_CASE("candump's screen: every way it shows a frame") {
   const Reader r(log::candump_format());
-  const Bytes data{0xF0, 0x7D, 0x01};
+  const std::vector<int> data{0xF0, 0x7D, 0x01};
   for (const char* line :
        {"(1557265716.818982)  can0  123   [3]  F0 7D 01",
         " (1557265716.818982)  can0  123   [3]  F0 7D 01  'x}.'",

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "drivers/log/format_reader.hpp"
 #include "log/can_lines.hpp"
 #include "log/line_reader.hpp"
 #include "rigsound/machine/input_error.hpp"
@@ -25,10 +26,6 @@ log::CanRecord parsed(std::string_view line) {
 CanLine kind(std::string_view line) {
   log::CanRecord record;
   return log::candump_format()->parse(line, record);
-}
-
-std::vector<int> bytes(const can::Frame& frame) {
-  return {frame.data.begin(), frame.data.begin() + frame.size};
 }
 
 }  // namespace

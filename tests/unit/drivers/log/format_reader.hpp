@@ -12,9 +12,9 @@
 
 namespace rigsound::test {
 
-using Bytes = std::vector<int>;
-
-inline Bytes bytes(const can::Frame& frame) { return {frame.data.begin(), frame.data.begin() + frame.size}; }
+inline std::vector<int> bytes(const can::Frame& frame) {
+  return {frame.data.begin(), frame.data.begin() + frame.size};
+}
 
 struct FormatReader {
   explicit FormatReader(std::unique_ptr<log::CanLineFormat> which,

@@ -14,9 +14,11 @@
 #include "rigsound/log/modbus_capture_writer.hpp"
 #include "rigsound/log/modbus_log.hpp"
 #include "rigsound/machine/input_error.hpp"
+#include "temporary_folder.hpp"
 #include "test_data.hpp"
 
 using namespace rigsound;
+using test::content;
 using namespace rigsound::log;
 using modbus::Exchange;
 using modbus::Table;
@@ -42,11 +44,6 @@ void write_said(const fs::path& file) {
   for (std::size_t i = 0; i < kSaid.size(); ++i)
     writer.write(1'733'212'800'000'000'000 + static_cast<std::int64_t>(i) * 1'500'000'001, {"", 0}, kSaid[i]);
   writer.flush();
-}
-
-std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 TcpPacket segment(const std::vector<std::uint8_t>& bytes, std::uint32_t sequence) {
@@ -165,7 +162,7 @@ TEST_CASE("A segment that comes late fills its gap") {
 TEST_CASE("A cut-off capture, and what is none, are refused") {
   const OwnFile file;
   write_said(file.path);
-  const std::string whole = bytes_of(file.path);
+  const std::string whole = content(file.path);
   std::ofstream(file.path, std::ios::binary | std::ios::trunc) << whole.substr(0, whole.size() - 5);
   const LogFile log_file(file.path);
   ModbusCapture capture(log_file);

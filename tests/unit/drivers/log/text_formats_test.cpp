@@ -5,7 +5,6 @@
 #include "drivers/log/format_reader.hpp"
 
 using namespace rigsound;
-using test::Bytes;
 using test::bytes;
 using Reader = test::FormatReader;
 
@@ -25,7 +24,7 @@ TEST_CASE("ASC: a classic frame, its channel, direction, identifier and bytes") 
   CHECK(r.frame.extended);
   CHECK_FALSE(r.frame.fd);
   CHECK_FALSE(r.frame.remote);
-  CHECK(bytes(r.frame) == Bytes{0xF0, 0x7D, 0x85, 0x9B, 0x0F, 0xFF, 0xFF, 0x85});
+  CHECK(bytes(r.frame) == std::vector<int>{0xF0, 0x7D, 0x85, 0x9B, 0x0F, 0xFF, 0xFF, 0x85});
   const log::CanRecord tx = asc().frame("1.5 255 7FF Tx d 1 0A \r");
   CHECK(tx.interface == "can254");
   CHECK_FALSE(tx.frame.extended);
@@ -51,9 +50,9 @@ TEST_CASE("ASC: CAN FD lines, with a name and without; the flags say whether it 
   CHECK(fd.extended);
   CHECK(fd.bit_rate_switch);
   CHECK_FALSE(fd.error_passive);
-  CHECK(bytes(fd) == Bytes{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
+  CHECK(bytes(fd) == std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
   const can::Frame named = asc().frame("0.1 CANFD 3 Rx 123 Engine 0 1 2 2 AA BB" + flags).frame;
-  CHECK(bytes(named) == Bytes{0xAA, 0xBB});
+  CHECK(bytes(named) == std::vector<int>{0xAA, 0xBB});
   CHECK(named.error_passive);
   CHECK_FALSE(named.bit_rate_switch);
   const can::Frame classic = asc().frame("0.1 CANFD 3 Rx 123 1 1 2 2 AA BB 130000 130 200000 0").frame;
@@ -66,7 +65,7 @@ TEST_CASE("ASC: CAN FD lines, with a name and without; the flags say whether it 
 TEST_CASE("ASC: the header chooses the base of numbers and what stamps count from") {
   const Reader decimal = asc({"base dec  timestamps absolute"});
   CHECK(decimal.frame("2.0 1 100 Rx d 2 255 10").frame.id == 100);
-  CHECK(bytes(decimal.frame("2.0 1 100 Rx d 2 255 10").frame) == Bytes{255, 10});
+  CHECK(bytes(decimal.frame("2.0 1 100 Rx d 2 255 10").frame) == std::vector<int>{255, 10});
   CHECK(decimal.frame("3.0 1 100 Rx d 0").time_ns == 3'000'000'000);
   const Reader relative = asc({"base hex  timestamps relative"});
   CHECK(relative.frame("2.0 1 100 Rx d 0").time_ns == 2'000'000'000);
@@ -132,7 +131,7 @@ TEST_CASE("TRC: every version has its columns") {
     CHECK(r.interface == l.interface);
     CHECK(r.frame.id == 0x300);
     CHECK_FALSE(r.frame.extended);
-    CHECK(bytes(r.frame) == Bytes{0, 0x5A});
+    CHECK(bytes(r.frame) == std::vector<int>{0, 0x5A});
   }
 }
 

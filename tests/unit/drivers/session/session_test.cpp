@@ -19,6 +19,7 @@
 #include "temporary_folder.hpp"
 
 using namespace rigsound;
+using test::content;
 using namespace rigsound::session;
 using rigsound::test::complaint;
 namespace fs = std::filesystem;
@@ -44,11 +45,6 @@ MachineState state(int i) {
   s.boom[2].by_hand = static_cast<std::uint32_t>(i % 7);
   s.boom[3].controls.attack_factor = 1.0F / static_cast<float>(i + 1);
   return s;
-}
-
-std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 void write_bytes(const fs::path& file, const std::string& bytes) {
@@ -159,7 +155,7 @@ TEST_CASE("Skipped time lies before its block, counts in later changes, and an e
   CHECK(session.skipped_before(9) == 2251);
   CHECK(session.skipped_before(20) == 11);
 
-  const std::string whole = bytes_of(folder.file);
+  const std::string whole = content(folder.file);
   write_bytes(folder.file, whole.substr(0, whole.size() - 1));
   CHECK_FALSE(SessionStates(folder.file).ended_in_order());
   CHECK(SessionStates(folder.file).blocks() == 30);
@@ -178,7 +174,7 @@ TEST_CASE("A skip of over an hour is no skip") {
 TEST_CASE("A session of the format before is read, one before that is not") {
   const Folder folder;
   write_session(folder.file, 100);
-  std::string bytes = bytes_of(folder.file);
+  std::string bytes = content(folder.file);
   const std::size_t digit = bytes.find(" 5\n");
   REQUIRE(digit != std::string::npos);
   bytes[digit + 1] = '4';
@@ -193,10 +189,10 @@ TEST_CASE("A session of the format before is read, one before that is not") {
 TEST_CASE("Cut off or damaged anywhere, a session gives the whole chunks before") {
   const Folder folder;
   write_session(folder.file, 50);
-  const std::string whole = bytes_of(folder.file);
+  const std::string whole = content(folder.file);
   const fs::path cut = folder.path / "cut.rigsession";
   write_session(cut, 5);
-  const std::size_t first_chunk_end = bytes_of(cut).size();
+  const std::size_t first_chunk_end = content(cut).size();
   int readable = 0;
   for (std::size_t size = 0; size < whole.size(); size += 7) {
     write_bytes(cut, whole.substr(0, size));
@@ -266,7 +262,7 @@ TEST_CASE("A state that no writer writes is refused, with the signal") {
     std::string payload(1, '\0');  // block 0, then all words
     for (const std::uint64_t mask : WordMasks{~0ULL, ~0ULL}) put_varint(payload, mask);
     for (const std::uint32_t word : words) put_u32(payload, word);
-    write_bytes(folder.file, bytes_of(folder.file) + chunk_bytes({ChunkKind::kChanges, 750, payload}));
+    write_bytes(folder.file, content(folder.file) + chunk_bytes({ChunkKind::kChanges, 750, payload}));
     return complaint([&] { SessionStates{folder.file}; });
   };
   const std::string head = folder.file.string() + ": state of block 0: ";
@@ -292,7 +288,7 @@ TEST_CASE("A session whose blocks run backwards, or on and on, is refused") {
     std::string payload;
     put_varint(payload, step);
     payload.append(sizeof(WordMasks) / 8, '\0');  // nothing changes
-    write_bytes(folder.file, bytes_of(folder.file) + chunk_bytes({ChunkKind::kChanges, blocks, payload}));
+    write_bytes(folder.file, content(folder.file) + chunk_bytes({ChunkKind::kChanges, blocks, payload}));
     return complaint([&] { SessionStates{folder.file}; });
   };
   const std::uint64_t an_hour = 3600 * 750;

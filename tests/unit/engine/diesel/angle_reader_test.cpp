@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
+
+#include "rigsound/dsp/elementary.hpp"
 
 using namespace rigsound;
 using diesel::AngleReader;
 
 namespace {
-
-constexpr double kTurn = 6.283185307179586;
 
 float value_at(const AngleReader& reader, const std::vector<float>& x, int sample, double fraction) {
   return dsp::total(AngleReader::read(reader.weights(fraction), x.data() + sample + AngleReader::kFirst));
@@ -24,12 +25,12 @@ TEST_CASE("between its samples a sine up to a quarter of their rate is that sine
   for (const double cycles : {0.003, 0.05, 0.15, 0.25}) {
     std::vector<float> x(64);
     for (std::size_t n = 0; n < x.size(); ++n)
-      x[n] = static_cast<float>(std::sin(kTurn * cycles * static_cast<double>(n)));
+      x[n] = static_cast<float>(std::sin(dsp::kTwoPi * cycles * static_cast<double>(n)));
     double worst = 0;
     for (int i = 0; i <= 1000; ++i) {
       const double fraction = std::min(i / 1000.0, 0.999999);
       worst = std::max(worst, std::fabs(static_cast<double>(value_at(reader, x, 30, fraction)) -
-                                        std::sin(kTurn * cycles * (30 + fraction))));
+                                        std::sin(dsp::kTwoPi * cycles * (30 + fraction))));
     }
     CHECK_MESSAGE(worst < 1.2e-4, cycles);  // -78 dB, of the highest
   }

@@ -9,15 +9,15 @@
 #include "diesel/wavelet_tree.hpp"
 #include "engine/allocation_guard.hpp"
 #include "engine/diesel/diesel_measures.hpp"
+#include "engine/heard.hpp"
 #include "rigsound/default_diesel.hpp"
 #include "rigsound/dsp/linear_prediction.hpp"
 
 using namespace rigsound;
 using namespace rigsound::diesel;
+using namespace rigsound::tests;
 
 namespace {
-
-constexpr double kRate = 48000;
 
 std::vector<double> play(DieselLayer& layer, const DieselInput& controls, double seconds) {
   std::vector<double> out(static_cast<std::size_t>(seconds * kRate / kChunk) * kChunk);

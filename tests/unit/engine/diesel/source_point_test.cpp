@@ -6,13 +6,13 @@
 #include <cmath>
 
 #include "diesel/operating_grid.hpp"
+#include "engine/heard.hpp"
 
 using namespace rigsound;
 using namespace rigsound::diesel;
+using namespace rigsound::tests;
 
 namespace {
-
-constexpr double kRate = 48000;
 
 /// A point at 1000 r/min: one order, everything else of one size.
 DieselPoint point_of(const DieselModel& m, double rpm, double load, float order, float variance) {

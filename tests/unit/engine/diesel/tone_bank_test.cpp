@@ -6,14 +6,14 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/heard.hpp"
 #include "rigsound/machine/limits.hpp"
 
 using namespace rigsound;
 using namespace rigsound::diesel;
+using namespace rigsound::tests;
 
 namespace {
-
-constexpr double kRate = 48000;
 
 std::vector<double> played(const DieselOscillator& tone, double f, int chunks, dsp::Ramp gain = {1, 1}) {
   ToneBank bank({tone}, kRate, 3, 44);

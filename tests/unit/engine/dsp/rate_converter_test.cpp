@@ -5,16 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rigsound/dsp/elementary.hpp"
+
 using namespace rigsound;
 
 namespace {
 
-constexpr double kTurn = 6.283185307179586;
-
 std::vector<float> sine(double hz, double rate, double seconds) {
   std::vector<float> x(static_cast<std::size_t>(std::lround(seconds * rate)));
   for (std::size_t i = 0; i < x.size(); ++i)
-    x[i] = static_cast<float>(std::sin(kTurn * hz / rate * static_cast<double>(i)));
+    x[i] = static_cast<float>(std::sin(dsp::kTwoPi * hz / rate * static_cast<double>(i)));
   return x;
 }
 

@@ -1,39 +1,34 @@
 // A signal that a user holds stands, whatever buses and safety rules say.
 #include <doctest/doctest.h>
 
+#include "engine/machine/safety_rules.hpp"
 #include "rigsound/machine/state_resolver.hpp"
 
 using namespace rigsound;
+using namespace rigsound::tests;
 
 namespace {
 
-constexpr SignalId kFeed{Signal::kFeedPressureBar, 1};
-constexpr SignalId kRpm{Signal::kEngineRpm};
-
-SafetyOptions rules(SafetyAction action) {
-  SafetyOptions options;
-  for (SafetyRule& rule : options.rule) rule = {0.5, action};
-  options.fade_s = 0;
-  return options;
-}
+constexpr SignalId kSecondFeed{Signal::kFeedPressureBar, 1};
+constexpr SignalId kSpeed{Signal::kEngineRpm};
 
 }  // namespace
 
 TEST_CASE("a held signal wins over its bus until it is released, and the bus's newest value stands then") {
   SignalBoard board;
   StateResolver resolver;
-  const SafetyOptions safety = rules(SafetyAction::kHold);
-  board.take({kFeed, 90, Validity::kValid, 0});
-  board.hold(kFeed, 200);
+  const SafetyOptions safety = rules(SafetyAction::kHold, 0);
+  board.take({kSecondFeed, 90, Validity::kValid, 0});
+  board.hold(kSecondFeed, 200);
   CHECK(resolver.resolve(board, safety, 0).boom[1].feed_pressure_bar == 200);
-  board.take({kFeed, 95, Validity::kValid, 0.1});
+  board.take({kSecondFeed, 95, Validity::kValid, 0.1});
   const MachineState held = resolver.resolve(board, safety, 0.1);
   CHECK(held.boom[1].feed_pressure_bar == 200);
   CHECK(held.boom[0].feed_pressure_bar == 0);
-  CHECK(board.validity(kFeed, safety.rule[0], 0.1) == Validity::kManual);
-  board.release(kFeed);
+  CHECK(board.validity(kSecondFeed, safety.rule[0], 0.1) == Validity::kManual);
+  board.release(kSecondFeed);
   CHECK(resolver.resolve(board, safety, 0.1).boom[1].feed_pressure_bar == 95);
-  CHECK(board.validity(kFeed, safety.rule[0], 0.1) == Validity::kValid);
+  CHECK(board.validity(kSecondFeed, safety.rule[0], 0.1) == Validity::kValid);
 }
 
 TEST_CASE("a signal that no bus ever said goes back to absent") {
@@ -48,12 +43,12 @@ TEST_CASE("a signal that no bus ever said goes back to absent") {
 TEST_CASE("no safety rule acts on a held signal, however old or lost its bus is") {
   SignalBoard board;
   StateResolver resolver;
-  const SafetyOptions safety = rules(SafetyAction::kMute);
-  board.take({kFeed, 90, Validity::kValid, 0});
+  const SafetyOptions safety = rules(SafetyAction::kMute, 0);
+  board.take({kSecondFeed, 90, Validity::kValid, 0});
   resolver.resolve(board, safety, 0);
   CHECK(resolver.resolve(board, safety, 10).output_gain == 0);  // stale: the rig is mute
-  board.hold(kFeed, 120);
-  board.take({kFeed, 0, Validity::kBusDown, 11});
+  board.hold(kSecondFeed, 120);
+  board.take({kSecondFeed, 0, Validity::kBusDown, 11});
   const MachineState state = resolver.resolve(board, safety, 11);
   CHECK(state.output_gain == 1);
   CHECK(state.boom[1].feed_pressure_bar == 120);
@@ -62,9 +57,9 @@ TEST_CASE("no safety rule acts on a held signal, however old or lost its bus is"
 TEST_CASE("a held speed has no slope, whatever the bus's was") {
   SignalBoard board;
   StateResolver resolver;
-  for (int i = 0; i < 50; ++i) board.take({kRpm, 1000.0 + 10 * i, Validity::kValid, 0.02 * i});
+  for (int i = 0; i < 50; ++i) board.take({kSpeed, 1000.0 + 10 * i, Validity::kValid, 0.02 * i});
   CHECK(resolver.resolve(board, {}, 1).engine_rpm_slope > 100);
-  board.hold(kRpm, 700);
+  board.hold(kSpeed, 700);
   const MachineState state = resolver.resolve(board, {}, 1.01);
   CHECK(state.engine_rpm == 700);
   CHECK(state.engine_rpm_slope == 0);

@@ -1,3 +1,4 @@
+#include "engine/machine/safety_rules.hpp"
 #include "rigsound/machine/state_resolver.hpp"
 
 #include <doctest/doctest.h>
@@ -7,17 +8,12 @@
 #include <functional>
 
 using namespace rigsound;
+using namespace rigsound::tests;
 
 namespace {
 
-SafetyOptions rules(SafetyAction action) {
-  SafetyOptions options;
-  for (SafetyRule& rule : options.rule) rule = {0.5, action};
-  options.fade_s = 0.2;
-  return options;
-}
-
 constexpr SignalId kFeed{Signal::kFeedPressureBar, 0};
+constexpr double kFade_s = 0.2;
 constexpr SignalId kRpm{Signal::kEngineRpm, 0};
 
 /// A board under its safety rules, as every reader of a bus uses it.
@@ -51,7 +47,7 @@ struct Board {
 }  // namespace
 
 TEST_CASE("what was never seen is absent") {
-  Board board(rules(SafetyAction::kMute));
+  Board board(rules(SafetyAction::kMute, kFade_s));
   const MachineState state = board.resolve(10);
   CHECK(state.engine_rpm == 0);
   CHECK(state.engine_load < 0);
@@ -61,7 +57,7 @@ TEST_CASE("what was never seen is absent") {
 }
 
 TEST_CASE("a reading reaches the boom it is meant for") {
-  Board board(rules(SafetyAction::kHold));
+  Board board(rules(SafetyAction::kHold, kFade_s));
   board.update({Signal::kFeedPressureBar, 1}, 88.5, 0);
   board.update({Signal::kRattling, 0}, 2, 0);
   const MachineState state = board.resolve(0);
@@ -71,7 +67,7 @@ TEST_CASE("a reading reaches the boom it is meant for") {
 }
 
 TEST_CASE("NaN and values out of range are refused, the last good one stays under `hold`") {
-  Board board(rules(SafetyAction::kHold));
+  Board board(rules(SafetyAction::kHold, kFade_s));
   board.update(kFeed, 90, 0);
   CHECK(board.update(kFeed, std::nan(""), 0.1) == Validity::kOutOfRange);
   CHECK(board.update(kFeed, 601, 0.1) == Validity::kOutOfRange);
@@ -84,7 +80,7 @@ TEST_CASE("NaN and values out of range are refused, the last good one stays unde
 }
 
 TEST_CASE("pressures and speed over their range are brought to its end and counted, up to twice") {
-  Board board(rules(SafetyAction::kHold));
+  Board board(rules(SafetyAction::kHold, kFade_s));
   CHECK(board.update(kFeed, 340, 0) == Validity::kValid);
   CHECK(board.resolve(0).boom[0].feed_pressure_bar == 300);
   CHECK(board.board.entry(kFeed).clamped == 1);
@@ -93,7 +89,7 @@ TEST_CASE("pressures and speed over their range are brought to its end and count
 }
 
 TEST_CASE("idle: a stale pressure fades to quiet over fade_s and back when it returns") {
-  Board board(rules(SafetyAction::kIdle));
+  Board board(rules(SafetyAction::kIdle, kFade_s));
   board.update(kFeed, 100, 0);
   CHECK(board.resolve(0).boom[0].feed_pressure_bar == 100);
   CHECK(board.resolve(0.5).boom[0].feed_pressure_bar == 100);
@@ -108,7 +104,7 @@ TEST_CASE("idle: a stale pressure fades to quiet over fade_s and back when it re
 }
 
 TEST_CASE("idle: a diesel goes to its idle speed, and is not started by a broken bus") {
-  Board board(rules(SafetyAction::kIdle));
+  Board board(rules(SafetyAction::kIdle, kFade_s));
   board.update(kRpm, 2000, 0);
   board.resolve(0);
   board.resolve(1);
@@ -120,7 +116,7 @@ TEST_CASE("idle: a diesel goes to its idle speed, and is not started by a broken
 }
 
 TEST_CASE("mute: the safety gain falls to zero over fade_s and comes back") {
-  Board board(rules(SafetyAction::kMute));
+  Board board(rules(SafetyAction::kMute, kFade_s));
   board.update(kRpm, 900, 0);
   board.resolve(0);
   board.invalidate(kRpm, Validity::kBusDown);
@@ -132,14 +128,14 @@ TEST_CASE("mute: the safety gain falls to zero over fade_s and comes back") {
 }
 
 TEST_CASE("stepped signals are rounded and never stand between two values") {
-  Board board(rules(SafetyAction::kIdle));
+  Board board(rules(SafetyAction::kIdle, kFade_s));
   board.update({Signal::kRodCount, 0}, 6.7, 0);
   CHECK(board.resolve(0).boom[0].rod_count == 7);
   CHECK(board.resolve(0.55).boom[0].rod_count == 1);
 }
 
 TEST_CASE("one bad value between good ones does nothing; bad values for longer than the limit act") {
-  Board board(rules(SafetyAction::kIdle));
+  Board board(rules(SafetyAction::kIdle, kFade_s));
   board.update(kFeed, 100, 0);
   board.resolve(0);
   board.invalidate(kFeed, Validity::kNotAvailable);
@@ -150,7 +146,7 @@ TEST_CASE("one bad value between good ones does nothing; bad values for longer t
 }
 
 TEST_CASE("where nothing grows stale a bad value acts at once") {
-  SafetyOptions options = rules(SafetyAction::kIdle);
+  SafetyOptions options = rules(SafetyAction::kIdle, kFade_s);
   for (SafetyRule& rule : options.rule) rule.stale_after_s = 0;
   Board board(options);
   board.update(kFeed, 100, 0);
@@ -160,7 +156,7 @@ TEST_CASE("where nothing grows stale a bad value acts at once") {
 }
 
 TEST_CASE("the value that means absent may be said") {
-  Board board(rules(SafetyAction::kHold));
+  Board board(rules(SafetyAction::kHold, kFade_s));
   const SignalId rate{Signal::kPercussionRateHz, 0};
   CHECK(board.update(rate, 40, 0) == Validity::kValid);
   CHECK(board.update(rate, 3, 0) == Validity::kOutOfRange);
@@ -211,7 +207,7 @@ TEST_CASE("the speed goes on between messages, by its slope") {
 }
 
 TEST_CASE("no bus can say what stands for absent, and a word takes its own values only") {
-  Board board(rules(SafetyAction::kHold));
+  Board board(rules(SafetyAction::kHold, kFade_s));
   for (const SignalInfo& signal : signal_table()) {
     const SignalId id{*signal_by_name(signal.name)};
     const bool in_range = signal.absent >= signal.min && signal.absent <= signal.max;
@@ -225,7 +221,7 @@ TEST_CASE("no bus can say what stands for absent, and a word takes its own value
 }
 
 TEST_CASE("a fade begins when it is seen to be due, however long nobody asked") {
-  const SafetyOptions safety = rules(SafetyAction::kIdle);
+  const SafetyOptions safety = rules(SafetyAction::kIdle, kFade_s);
   SignalBoard board;
   StateResolver resolver;
   board.take({kFeed, 100, Validity::kValid, 0});

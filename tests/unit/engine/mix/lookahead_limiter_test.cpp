@@ -6,21 +6,23 @@
 #include <functional>
 #include <vector>
 
+#include "engine/heard.hpp"
 #include "engine/mix/true_peak_meter.hpp"
 #include "rigsound/dsp/elementary.hpp"
 #include "rigsound/dsp/random.hpp"
 
 using namespace rigsound;
 using namespace rigsound::mix;
+using namespace rigsound::tests;
 
 namespace {
 
-constexpr double kRate = 48000, kCeiling = 0.5;
+constexpr double kTruePeakCeiling = 0.5;
 
 /// What the limiter makes of x(n) on the left and half of it on the right, so many chunks of it; left
 /// channel.
 std::vector<double> limited(const std::function<double(int)>& x, int chunks, int lookahead = 3) {
-  LookaheadLimiter limiter(kCeiling, lookahead, kRate);
+  LookaheadLimiter limiter(kTruePeakCeiling, lookahead, kRate);
   std::vector<double> out;
   for (int chunk = 0; chunk < chunks; ++chunk) {
     bool sounds = false;
@@ -41,7 +43,9 @@ double true_peak_of(const std::vector<double>& x) {
   return meter.peak();
 }
 
-double over_ceiling_db(const std::vector<double>& x) { return dsp::db_of_gain(true_peak_of(x) / kCeiling); }
+double over_ceiling_db(const std::vector<double>& x) {
+  return dsp::db_of_gain(true_peak_of(x) / kTruePeakCeiling);
+}
 
 /// Harmonics 2...10 against the fundamental, dB, in a Hann window.
 double distortion_db(const std::vector<double>& x, std::size_t from, double hz) {
@@ -120,14 +124,14 @@ TEST_CASE("nor that of the worst signal there is: a filter's own signs at the ta
         const auto x = [&](int n) {
           const int k = (n + at) % kTruePeakTaps;
           const double sign = kTruePeakPhase[phase][k] < 0 ? -1 : 1;
-          return sign * kCeiling * (1 - 0.008) / kTruePeakSpread * (n > 40 * kChunk ? leap : 1);
+          return sign * kTruePeakCeiling * (1 - 0.008) / kTruePeakSpread * (n > 40 * kChunk ? leap : 1);
         };
         REQUIRE(over_ceiling_db(limited(x, 60)) <= 0);
       }
 }
 
 TEST_CASE("the gain has neither step nor corner") {
-  LookaheadLimiter limiter(kCeiling, 3, kRate);
+  LookaheadLimiter limiter(kTruePeakCeiling, 3, kRate);
   double before = 1, slope_before = 0, steepest = 0, sharpest = 0;
   for (int chunk = 0; chunk < 3000; ++chunk) {
     const double level = chunk % 500 < 3 ? 50 : 0.4;
@@ -149,7 +153,7 @@ TEST_CASE("a tone 12 dB over the ceiling is turned down, not bent") {
   const std::size_t settled = static_cast<std::size_t>((0.002 + 0.02) * kRate);
   for (const double hz : {1000.0, 997.0, 100.0}) {
     CAPTURE(hz);
-    const auto tone = [hz](int n) { return 4 * kCeiling * dsp::sin(dsp::kTwoPi * hz / kRate * n); };
+    const auto tone = [hz](int n) { return 4 * kTruePeakCeiling * dsp::sin(dsp::kTwoPi * hz / kRate * n); };
     const std::vector<double> y = limited(tone, 1500);
     CHECK(over_ceiling_db(y) <= 0);
     CHECK(over_ceiling_db(y) > -0.1);

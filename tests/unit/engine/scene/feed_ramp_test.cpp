@@ -6,14 +6,16 @@
 #include <functional>
 
 #include "bench/formula_sounds.hpp"
+#include "engine/heard.hpp"
 #include "engine/tool/sound_levels.hpp"
 #include "rigsound/engine.hpp"
 
 using namespace rigsound;
+using namespace rigsound::tests;
 
 namespace {
 
-constexpr double kRate = 48000, kWindow_s = 0.05;
+constexpr double kWindow_s = 0.05;
 constexpr double kFrom_bar = 30, kTo_bar = 250;
 
 /// One boom of formula banks alone, no limiter at work.

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "engine/allocation_guard.hpp"
+#include "engine/heard.hpp"
 #include "engine/string/string_sounds.hpp"
 
 using namespace rigsound;
@@ -29,10 +30,6 @@ std::vector<double> rendered(const StringModel& model, const StringInput& input,
                              double seconds = 1) {
   StringLayer layer(model, kStringRate, seed, 0);
   return struck(layer, {seconds}, [&](double) { return input; });
-}
-
-std::vector<double> after(const std::vector<double>& sound, double seconds) {
-  return {sound.begin() + static_cast<std::ptrdiff_t>(seconds * kStringRate), sound.end()};
 }
 
 }  // namespace
@@ -120,7 +117,7 @@ TEST_CASE("after a change of rods the new string rings as if there had never bee
   const StringBlows blows{1, 0.05, 0.25, 0.31};
   const auto sound = struck(changed, blows, [](double t) { return drilling(t < 0.06 ? 1 : 6, 2e8, 0.5); });
   const auto alone = struck(born, {1, 0.30, 100}, [](double) { return drilling(6, 2e8, 0.5); });
-  CHECK(after(sound, 0.29) == after(alone, 0.29));
+  CHECK(after(sound, 0.29, kStringRate) == after(alone, 0.29, kStringRate));
 }
 
 TEST_CASE("a breaking rod snaps once, louder than any blow, and both parts ring on in the air") {
@@ -156,7 +153,7 @@ TEST_CASE("a mended string is a new one") {
     return input;
   });
   const auto alone = struck(born, {1, 0.30, 100}, [](double) { return drilling(1, 2e8, 0.5); });
-  CHECK(after(sound, 0.29) == after(alone, 0.29));
+  CHECK(after(sound, 0.29, kStringRate) == after(alone, 0.29, kStringRate));
 }
 
 TEST_CASE("a string left alone falls silent with exact zeros") {

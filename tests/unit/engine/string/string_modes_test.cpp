@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "engine/heard.hpp"
 #include "engine/string/string_sounds.hpp"
 #include "string/bending_modes.hpp"
 
@@ -11,8 +12,6 @@ using namespace rigsound;
 using namespace rigsound::tests;
 
 namespace {
-
-double cents(double a, double b) { return 1200 * std::log2(a / b); }
 
 std::vector<StringMode> family(const StringModel& model, double exposed_m, std::string_view name) {
   std::vector<StringMode> found;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/heard.hpp"
 #include "engine/tool/modal_measure.hpp"
 #include "engine/tool/tool_energy.hpp"
 #include "engine/tool/tool_sounds.hpp"
@@ -51,8 +52,6 @@ std::vector<double> sequential_response(const LoopDesign& loop, double k, int sa
   }
   return y;
 }
-
-double cents(double a, double b) { return 1200 * std::log2(a / b); }
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/allocation_guard.hpp"
+#include "engine/heard.hpp"
 #include "engine/tool/sound_levels.hpp"
 #include "engine/tool/tool_sounds.hpp"
 
@@ -16,18 +17,12 @@ using namespace rigsound::tests;
 
 namespace {
 
-constexpr double kRate = 48000;
-
 std::function<ToolInput(double)> from(double change_s, const std::function<void(ToolInput&)>& change) {
   return [=](double t) {
     ToolInput controls;
     if (t >= change_s) change(controls);
     return controls;
   };
-}
-
-std::vector<double> after(const std::vector<double>& sound, double seconds) {
-  return {sound.begin() + static_cast<std::ptrdiff_t>(seconds * kRate), sound.end()};
 }
 
 }  // namespace

@@ -4,17 +4,12 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include "engine/heard.hpp"
 #include "engine/tool/design/elastic_modes.hpp"
 
 using namespace rigsound;
 using namespace rigsound::tool;
 using namespace rigsound::tests;
-
-namespace {
-
-double cents(double a, double b) { return 1200 * std::log2(a / b); }
-
-}  // namespace
 
 TEST_CASE("transversal targets are the exact Timoshenko modes, within a cent of elasticity") {
   for (const ReferenceBar& reference : kTransversalReference) {
