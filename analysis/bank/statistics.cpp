@@ -9,19 +9,19 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr double kShortest = 0.6, kLongest = 1.5;  // of the median: what counts as one plain gap
-constexpr double kWholeSlack = 0.25;  // of the median: two parts of one gap add up to it within this
-constexpr double kSteady = 0.002;     // sigma_T / T_0 below which only rounding is left to correlate
+constexpr double kShortestPlain = 0.6, kLongestPlain = 1.5;  // of the median: what counts as one plain gap
+constexpr double kWholeSlack = 0.25;        // of the median: two parts of one gap add up to it within this
+constexpr double kSteadyDeviation = 0.002;  // sigma_T / T_0 below which only rounding is left to correlate
 constexpr double kMaxCorrelation = 0.9;
 
 enum class Kind { kPlain, kMissed, kDoubled };
 
-struct Moments {
+struct SeriesMoments {
   double mean = 0, deviation = 0, correlation = 0;  ///< lag-1, between plain neighbours
 };
 
 /// Of the plain values only; `kinds` has the shape of `series`.
-Moments moments(const Series<double>& series, const Series<Kind>& kinds) {
+SeriesMoments moments(const Series<double>& series, const Series<Kind>& kinds) {
   double count = 0, sum = 0, squares = 0, pairs = 0, products = 0;
   const auto plain = [&](std::size_t s, std::size_t i) { return kinds[s][i] == Kind::kPlain; };
   for (std::size_t s = 0; s < series.size(); ++s)
@@ -49,9 +49,9 @@ Series<Kind> all_plain(const Series<double>& series) {
 /// A double impact cuts one gap into a short one and the rest: the rest is no plain gap either, however long.
 std::vector<Kind> kinds_of(const std::vector<double>& gaps, double T) {
   std::vector<Kind> kinds;
-  for (const double g : gaps) kinds.push_back(g >= kLongest * T ? Kind::kMissed : Kind::kPlain);
+  for (const double g : gaps) kinds.push_back(g >= kLongestPlain * T ? Kind::kMissed : Kind::kPlain);
   for (std::size_t i = 0; i < gaps.size(); ++i) {
-    if (gaps[i] > kShortest * T || kinds[i] == Kind::kDoubled) continue;
+    if (gaps[i] > kShortestPlain * T || kinds[i] == Kind::kDoubled) continue;
     kinds[i] = Kind::kDoubled;
     if (i + 1 < gaps.size() && std::fabs(gaps[i] + gaps[i + 1] - T) < kWholeSlack * T)
       kinds[i + 1] = Kind::kDoubled;
@@ -97,10 +97,10 @@ void set_gap_statistics(const Series<int>& onsets, ClickBank& bank) {
   const double T = median_of(gaps);
   Series<Kind> kinds;
   for (const auto& g : gaps) kinds.push_back(kinds_of(g, T));
-  const Moments m = moments(gaps, kinds);
+  const SeriesMoments m = moments(gaps, kinds);
   bank.mean_gap_samples = m.mean;
   bank.gap_deviation_samples = m.deviation;
-  bank.gap_correlation = m.deviation > kSteady * m.mean ? m.correlation : 0;
+  bank.gap_correlation = m.deviation > kSteadyDeviation * m.mean ? m.correlation : 0;
   bank.miss_share = share(kinds, Kind::kMissed);
   // The engine plays a double impact as one short gap before a whole one: this share keeps the mean rate.
   bank.double_share = std::min(shortfall(gaps, kinds, m.mean) / (1 - kDoubleGap), 1 - bank.miss_share);
@@ -108,14 +108,14 @@ void set_gap_statistics(const Series<int>& onsets, ClickBank& bank) {
 
 void set_plain_gap_statistics(const Series<int>& onsets, ClickBank& bank) {
   const Series<double> gaps = gaps_of(onsets);
-  const Moments m = moments(gaps, all_plain(gaps));
+  const SeriesMoments m = moments(gaps, all_plain(gaps));
   bank.mean_gap_samples = m.mean;
   bank.gap_deviation_samples = m.deviation;
   bank.gap_correlation = bank.miss_share = bank.double_share = 0;
 }
 
 void set_amplitude_statistics(const Series<double>& norms, ClickBank& bank) {
-  const Moments m = moments(norms, all_plain(norms));
+  const SeriesMoments m = moments(norms, all_plain(norms));
   bank.mean_amplitude = m.mean;
   bank.amplitude_deviation = m.deviation;
   bank.amplitude_correlation = m.correlation;

@@ -9,7 +9,7 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr float kAudible = 1e-5f;  // of the loudest bin's power
+constexpr float kAudiblePower = 1e-5f;  // of the loudest bin's power
 constexpr float kModelFloor = 1e-12f;
 
 }  // namespace
@@ -64,7 +64,7 @@ Grid itakura_saito(const PowerSpectrogram& power, const Factors& factors) {
 
 double mean_divergence(const PowerSpectrogram& power, const Grid& divergence, const Eigen::ArrayXf& weight) {
   const Eigen::ArrayXf mean = power.P.rowwise().mean();
-  const Eigen::ArrayXd audible = (mean > kAudible * mean.maxCoeff()).cast<double>();
+  const Eigen::ArrayXd audible = (mean > kAudiblePower * mean.maxCoeff()).cast<double>();
   const Eigen::ArrayXd by_bin =
       (divergence.matrix() * weight.matrix()).cast<double>().array() / std::max(1.0f, weight.sum());
   return (by_bin * audible).sum() / audible.sum();

@@ -19,8 +19,8 @@ using chart::Paint, chart::Plot, chart::Role;
 
 constexpr double kSpectrumWidth = 500,
                  kEnvelopeWidth = 640;  // the latter: 9 pixels a slot, which keeps the file short
-constexpr double kWidth = kSpectrumWidth + kEnvelopeWidth, kHeight = 300, kHead = 62, kLowest_hz = 20,
-                 kHighest_hz = 10000;
+constexpr double kPanelWidth = kSpectrumWidth + kEnvelopeWidth, kPanelHeight = 300, kPanelHead = 62,
+                 kLowestDrawn_hz = 20, kHighestDrawn_hz = 10000;
 constexpr int kSpectrumCycles = 8, kPlayedCycles = 120;
 constexpr std::size_t kMostRows = 12;  // speeds, about 15 kB each
 // The recorded curve is the wide pale one behind the modelled one, so that both stay visible.
@@ -43,7 +43,7 @@ Curve spectrum(const CyclicSound& s) {
   Curve curve;
   for (std::size_t b = 1; b < power.size(); ++b) {
     const double f = static_cast<double>(b) / kSpectrumCycles * s.f0;
-    if (f < kLowest_hz || f > kHighest_hz) continue;
+    if (f < kLowestDrawn_hz || f > kHighestDrawn_hz) continue;
     curve.x.push_back(f), curve.y.push_back(10 * std::log10(power[b] + 1e-20));
   }
   return curve;
@@ -66,7 +66,7 @@ void draw_spectrum(chart::Canvas& canvas, const chart::Box& box, const DieselPoi
   Plot plot(
       canvas, box,
       fmt::format("{} at {:.0f} r/min", std::filesystem::path(point.source).filename().string(), point.rpm),
-      chart::frequency_axis("frequency, Hz", kLowest_hz, kHighest_hz,
+      chart::frequency_axis("frequency, Hz", kLowestDrawn_hz, kHighestDrawn_hz,
                             {20, 50, 100, 200, 500, 1000, 2000, 5000, 10000}),
       chart::linear_axis("dB re full scale, 1/8 order", -120, -20));
   const Curve marked = orders(point, model.f0), modelled = spectrum(model);
@@ -84,7 +84,7 @@ void draw_spectrum(chart::Canvas& canvas, const chart::Box& box, const DieselPoi
 void draw_envelopes(chart::Canvas& canvas, const chart::Box& box, const Compared& sounds) {
   const auto& [model, recorded, off] = sounds;
   constexpr double kStep_db = 10;
-  const std::vector<double> bands = envelope_bands(std::min(kHighest_hz, 0.45 * model.N * model.f0));
+  const std::vector<double> bands = envelope_bands(std::min(kHighestDrawn_hz, 0.45 * model.N * model.f0));
   const auto count = static_cast<double>(bands.size() - 1);
   chart::Axis angle{"crank angle, degrees", 0, 720, chart::Axis::Scale::kLinear, {}},
       octaves{"octave from … Hz", -0.5 * kStep_db, (count - 0.5) * kStep_db, chart::Axis::Scale::kLinear, {}};
@@ -127,7 +127,7 @@ void draw_head(chart::Canvas& canvas, const std::string& name, std::size_t rows,
                              : fmt::format("Diesel {}: {} of {} speeds", name, rows, points),
               {Role::kInk, kNameSize, chart::Lettering::Anchor::kStart, chart::Lettering::Weight::kBold});
   canvas.words(
-      {kWidth - 10, kLine},
+      {kPanelWidth - 10, kLine},
       {{"▬ recorded", Role::kGrey}, {"─ modelled", kModelled}, {"│ orders of the model", Role::kOnset}},
       kLegendSize);
   canvas.text(
@@ -144,9 +144,9 @@ void write_background_plot(const std::filesystem::path& file, const std::vector<
   std::vector<std::string> ignored;
   const std::vector<Section> sections = takes.empty() ? std::vector<Section>() : sections_of(takes, ignored);
   const std::vector<std::size_t> rows = shown(model.points.size());
-  chart::SvgCanvas canvas(kWidth, kHead + kHeight * static_cast<double>(rows.size()));
+  chart::SvgCanvas canvas(kPanelWidth, kPanelHead + kPanelHeight * static_cast<double>(rows.size()));
   draw_head(canvas, model.name, rows.size(), model.points.size());
-  double top = kHead;
+  double top = kPanelHead;
   for (const std::size_t i : rows) {
     const DieselPoint& point = model.points[i];
     Compared sounds{played_cycles(model, point, kPlayedCycles, 1), {}, {}};
@@ -154,11 +154,11 @@ void write_background_plot(const std::filesystem::path& file, const std::vector<
       sounds.recorded = recorded_cycles(sections[i], point, model.angle_samples);
       if (sounds.recorded->y.empty()) sounds.recorded.reset();
     }
-    if (sounds.recorded) sounds.off = likeness(*sounds.recorded, sounds.model, kHighest_hz);
-    const double bottom = top + kHeight - 6;
+    if (sounds.recorded) sounds.off = likeness(*sounds.recorded, sounds.model, kHighestDrawn_hz);
+    const double bottom = top + kPanelHeight - 6;
     draw_spectrum(canvas, {0, top, kSpectrumWidth, bottom}, point, sounds);
-    draw_envelopes(canvas, {kSpectrumWidth, top, kWidth, bottom}, sounds);
-    top += kHeight;
+    draw_envelopes(canvas, {kSpectrumWidth, top, kPanelWidth, bottom}, sounds);
+    top += kPanelHeight;
   }
   write_file(file, canvas.document(fmt::format(
                        "Diesel {}: spectrum and power over the cycle, recorded and modelled", model.name)));

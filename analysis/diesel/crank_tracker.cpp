@@ -17,7 +17,7 @@ using Signal = std::vector<double>;
 constexpr int G = 512;  // template samples a cycle
 constexpr double kBandLow_hz = 30, kBandHigh_hz = 1500;
 constexpr double kSearch = 0.08;  // of a cycle, while the template runs
-constexpr int kRounds = 6, kNeighbours = 8, kFineSearch = 24;
+constexpr int kTrackingRounds = 6, kNeighbours = 8, kFineSearch = 24;
 constexpr double kSmoothing = 10;  // Whittaker's lambda
 constexpr double kWindow = 0.10;   // how far off a given speed may be to be found at all
 
@@ -149,15 +149,15 @@ double align(const Signal& band, Signal& marks, double global) {
 CrankTrack refined(const Signal& band, Signal marks, double global) {
   CrankTrack track;
   if (marks.size() < 8) return track;
-  for (int round = 0; round < kRounds; ++round) track.correlation = align(band, marks, global);
+  for (int round = 0; round < kTrackingRounds; ++round) track.correlation = align(band, marks, global);
   track.first = static_cast<std::size_t>(std::ceil(std::max(0.0, marks.front())));
   // Invert the spline: theta is smooth, so a dense table and straight lines between are ample.
-  constexpr int kFine = 64;
+  constexpr int kFineSteps = 64;
   double before = marks.front(), angle = 0;
   std::size_t n = track.first;
   for (std::size_t cycle = 0; cycle + 1 < marks.size(); ++cycle)
-    for (int i = 1; i <= kFine; ++i) {
-      const double next = static_cast<double>(cycle) + static_cast<double>(i) / kFine;
+    for (int i = 1; i <= kFineSteps; ++i) {
+      const double next = static_cast<double>(cycle) + static_cast<double>(i) / kFineSteps;
       const double at = between_marks(marks, next);
       for (; static_cast<double>(n) <= at && n < band.size(); ++n)
         track.theta.push_back(angle + (static_cast<double>(n) - before) / (at - before) * (next - angle));

@@ -20,8 +20,8 @@ double trigamma(double x) {
 }
 
 /// MDCT frames of a block: frame t = r L + l spans angle samples (t - 1) M ... (t + 1) M.
-struct Frames {
-  Frames(const CycleBlock& block, int slots)
+struct SlotFrames {
+  SlotFrames(const CycleBlock& block, int slots)
       : L(slots), M(block.N / slots), cycles(block.cycles), X(mdct_frames(block.y, M)) {
     open.assign(static_cast<std::size_t>(L * cycles), 1);
     for (int l = 0; l < L; ++l) open[l] = 0;  // the first cycle lacks its past
@@ -39,7 +39,7 @@ struct Frames {
 };
 
 /// Mean of X^2 per slot and channel. A slot no gate ever opened for takes the mean of its neighbours.
-std::vector<double> variances(const Frames& f) {
+std::vector<double> variances(const SlotFrames& f) {
   std::vector<double> v(static_cast<std::size_t>(f.L * f.M), 0.0);
   std::vector<int> count(static_cast<std::size_t>(f.L), 0);
   for (int t = 0; t < f.L * f.cycles; ++t) {
@@ -63,7 +63,7 @@ std::vector<double> variances(const Frames& f) {
 }
 
 /// ln of each frame's power over its slot's mean, centred and clipped; 0 where closed.
-std::vector<double> log_gains(const Frames& f, const std::vector<double>& v, std::vector<double>& s2) {
+std::vector<double> log_gains(const SlotFrames& f, const std::vector<double>& v, std::vector<double>& s2) {
   std::vector<double> gains(static_cast<std::size_t>(f.L * f.cycles), 0.0);
   for (int l = 0; l < f.L; ++l) {
     const double* row = &v[l * f.M];
@@ -101,7 +101,7 @@ std::vector<double> log_gains(const Frames& f, const std::vector<double>& v, std
 }  // namespace
 
 void learn_slots(const CycleBlock& whitened, int L, DieselPoint& point) {
-  const Frames frames(whitened, L);
+  const SlotFrames frames(whitened, L);
   const std::vector<double> v = variances(frames);
   const std::vector<int> edges = slot_band_edges(frames.M);
   point.slot_variance.clear();

@@ -10,7 +10,7 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr std::size_t kFrame = 256, kHop = 64;  // 5.3 ms, for the decays
+constexpr std::size_t kDecayFrame = 256, kDecayHop = 64;  // 5.3 ms, for the decays
 constexpr double kSilence = 1e-14;
 
 /// Energy of the bins around `centre`, the outermost shared with the neighbouring band.
@@ -34,8 +34,8 @@ double db(double energy) { return 10 * std::log10(energy + kSilence); }
 BandAnalyser::BandAnalyser(double highest_hz) {
   for (double centre = 125; centre * std::pow(2, 1.0 / 6) <= highest_hz; centre *= std::pow(2, 1.0 / 3))
     centre_hz_.push_back(centre);
-  for (std::size_t i = 0; i < kFrame; ++i)
-    window_.push_back(std::sin(M_PI * (static_cast<double>(i) + 0.5) / kFrame));
+  for (std::size_t i = 0; i < kDecayFrame; ++i)
+    window_.push_back(std::sin(M_PI * (static_cast<double>(i) + 0.5) / kDecayFrame));
   fft_.SetFlag(Eigen::FFT<double>::HalfSpectrum);
 }
 
@@ -51,16 +51,16 @@ std::vector<double> BandAnalyser::power_spectrum(const std::vector<double>& x) {
 void BandAnalyser::add_decays(const std::vector<double>& sound, BandProfile& profile) {
   const std::size_t bands = centre_hz_.size();
   profile.decay_db.resize(bands);
-  std::vector<double> sum(bands, 0.0), frame(kFrame);
+  std::vector<double> sum(bands, 0.0), frame(kDecayFrame);
   std::size_t stretch = 0, frames = 0;
-  for (std::size_t start = 0; start + kFrame <= sound.size() && stretch < std::size(kStretch_s);
-       start += kHop) {
-    for (std::size_t i = 0; i < kFrame; ++i) frame[i] = sound[start + i] * window_[i];
+  for (std::size_t start = 0; start + kDecayFrame <= sound.size() && stretch < std::size(kStretch_s);
+       start += kDecayHop) {
+    for (std::size_t i = 0; i < kDecayFrame; ++i) frame[i] = sound[start + i] * window_[i];
     const std::vector<double> power = power_spectrum(frame);
     for (std::size_t b = 0; b < bands; ++b)
-      sum[b] += band_energy(power, kAnalysisRate / kFrame, centre_hz_[b]);
+      sum[b] += band_energy(power, kAnalysisRate / kDecayFrame, centre_hz_[b]);
     ++frames;
-    const double middle = (static_cast<double>(start + kFrame / 2) - kBeforeImpact) / kAnalysisRate;
+    const double middle = (static_cast<double>(start + kDecayFrame / 2) - kBeforeImpact) / kAnalysisRate;
     if (middle < kStretch_s[stretch]) continue;
     for (std::size_t b = 0; b < bands; ++b)
       profile.decay_db[b].push_back(db(sum[b] / static_cast<double>(frames)));

@@ -12,9 +12,9 @@ namespace {
 
 using chart::Box, chart::Canvas, chart::Lettering, chart::Plot, chart::Role;
 
-constexpr double kPageWidth = 900, kPageHeight = 900, kPageHead = 72, kGap = 10;
-constexpr Box kErrors{0, kPageHead, kPageWidth, 330}, kDecays{0, 330 + kGap, kPageWidth, 610},
-    kReflection{0, 610 + kGap, kPageWidth, kPageHeight};
+constexpr double kPageWidth = 900, kPageHeight = 900, kPageHead = 72, kPictureGap = 10;
+constexpr Box kErrors{0, kPageHead, kPageWidth, 330}, kDecays{0, 330 + kPictureGap, kPageWidth, 610},
+    kReflection{0, 610 + kPictureGap, kPageWidth, kPageHeight};
 
 struct ModeFamily {
   const char* name;

@@ -13,7 +13,7 @@ namespace {
 
 using chart::Plot, chart::Role;
 
-constexpr double kWidth = 900, kHeight = 640, kHead = 44, kMiddle = 330, kDot = 3.5;
+constexpr double kPictureWidth = 900, kPictureHeight = 640, kPictureHead = 44, kMiddle = 330, kDot = 3.5;
 
 struct Family {
   const char* name;
@@ -37,7 +37,7 @@ void draw_tuning(chart::Canvas& canvas, const std::vector<TunedMode>& modes) {
   double worst = 0.1;
   for (const TunedMode& mode : modes) worst = std::max(worst, std::fabs(mode.error_cents));
   const double span = worst <= 1 ? 1 : std::ceil(worst);
-  Plot plot(canvas, {0, kHead, kWidth, kMiddle}, "Error of each mode", frequency(),
+  Plot plot(canvas, {0, kPictureHead, kPictureWidth, kMiddle}, "Error of each mode", frequency(),
             chart::linear_axis("cents", -span, span, 4));
   plot.horizontal(0, {Role::kGrey, 0.8});
   for (const TunedMode& mode : modes) plot.verticals({mode.target_hz}, {{role_of(mode), 0.4}});
@@ -81,7 +81,8 @@ void draw_bounds(Plot& plot, const std::vector<FittedBand>& recorded, double top
 void draw_decays(chart::Canvas& canvas, const std::vector<TunedMode>& modes,
                  const std::vector<FittedBand>& recorded) {
   const chart::Axis t60 = decay_axis(modes, recorded);
-  Plot plot(canvas, {0, kMiddle + 10, kWidth, kHeight}, "T60 of the free tool", frequency(), t60);
+  Plot plot(canvas, {0, kMiddle + 10, kPictureWidth, kPictureHeight}, "T60 of the free tool", frequency(),
+            t60);
   draw_bounds(plot, recorded, t60.high);
   for (const Family& family : kFamilies) {
     std::vector<double> hz, t60_s;
@@ -100,12 +101,12 @@ void draw_decays(chart::Canvas& canvas, const std::vector<TunedMode>& modes,
 std::string tool_plot_svg(std::string_view title, const std::vector<TunedMode>& modes,
                           const std::vector<FittedBand>& recorded) {
   constexpr double kTitleSize = 16, kLegendSize = 12, kLine = 28;
-  chart::SvgCanvas canvas(kWidth, kHeight);
+  chart::SvgCanvas canvas(kPictureWidth, kPictureHeight);
   canvas.text({54, kLine}, std::string(title),
               {Role::kInk, kTitleSize, chart::Lettering::Anchor::kStart, chart::Lettering::Weight::kBold});
   std::vector<chart::Word> legend;
   for (const Family& family : kFamilies) legend.push_back({std::string("● ") + family.name, family.role});
-  canvas.words({kWidth - 10, kLine}, legend, kLegendSize);
+  canvas.words({kPictureWidth - 10, kLine}, legend, kLegendSize);
   draw_tuning(canvas, modes);
   draw_decays(canvas, modes, recorded);
   return canvas.document(std::string(title));

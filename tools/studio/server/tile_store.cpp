@@ -15,7 +15,7 @@ using analysis::PeakColumn, analysis::PeakPyramid, analysis::SoundReader, analys
 
 namespace {
 
-constexpr std::size_t kMostKnown = 8;            // recordings whose peaks are in memory, 11 MB an hour
+constexpr std::size_t kMostInMemory = 8;         // recordings whose peaks are in memory, 11 MB an hour
 constexpr std::uintmax_t kMostKept = 512 << 20;  // bytes on disk
 constexpr const char *kCache = ".cache", *kPeaks = "peaks";
 
@@ -58,7 +58,7 @@ std::shared_ptr<TileStore::Known> TileStore::known(const RecordingFile& recordin
     return recordings_.front().second;
   }
   recordings_.emplace_front(recording.hash, std::make_shared<Known>());
-  if (recordings_.size() > kMostKnown) recordings_.pop_back();
+  if (recordings_.size() > kMostInMemory) recordings_.pop_back();
   return recordings_.front().second;
 }
 
