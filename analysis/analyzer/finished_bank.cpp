@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -11,6 +12,7 @@
 #include "report/bank_page.hpp"
 #include "rigsound/analysis/bank_comparison.hpp"
 #include "rigsound/config/bank_files.hpp"
+#include "rigsound/config/refinement.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
@@ -24,6 +26,7 @@ using Json = nlohmann::ordered_json;
 constexpr int kAnalysisRevision = 5;
 
 constexpr const char* kFiguresFile = "figures.json";
+constexpr const char* kFormerRefinementFile = "refined.json.old";
 
 struct Figure {
   const char* key;
@@ -70,6 +73,14 @@ BankFigures read_figures(const fs::path& path) {
     figures.*f.value =
         json.at(f.key).is_null() ? std::numeric_limits<double>::infinity() : json.at(f.key).get<double>();
   return figures;
+}
+
+/// What a person refined in the bank that stands there now, whether it reads or not.
+std::optional<config::FileBeside> former_refinement(const fs::path& folder) {
+  for (const char* name : {config::kRefinementFile, kFormerRefinementFile})
+    if (std::ifstream in(folder / name, std::ios::binary); in)
+      return config::FileBeside{kFormerRefinementFile, {std::istreambuf_iterator<char>(in), {}}};
+  return std::nullopt;
 }
 
 }  // namespace
@@ -132,8 +143,8 @@ std::optional<AnalysedPart> finished_part(const Part& part, const std::string& s
   }
 }
 
-void save_part(const AnalysedPart& analysed, const ClickBank& bank, const std::string& sha256,
-               const std::string& page, const AnalyzerOptions& options) {
+std::string save_part(const AnalysedPart& analysed, const ClickBank& bank, const std::string& sha256,
+                      const std::string& page, const AnalyzerOptions& options) {
   config::Provenance provenance;
   provenance.source_file = analysed.part.recording.string();
   provenance.source_sha256 = sha256;
@@ -142,7 +153,15 @@ void save_part(const AnalysedPart& analysed, const ClickBank& bank, const std::s
   std::vector<config::FileBeside> beside = {{kFiguresFile, figures_text(analysed.figures)}};
   if (!page.empty())
     beside.push_back({bank_page_path(options.sound_set, bank.name).filename().string(), page});
+  const fs::path folder = bank_folder(options.sound_set, bank.name);
+  const auto former = former_refinement(folder);
+  const bool was_refined = fs::exists(folder / config::kRefinementFile);
+  if (former) beside.push_back(*former);
   config::save_bank(options.sound_set, bank, provenance, beside);
+  return was_refined
+             ? fmt::format("{}: its clicks are new, so it plays as analysed; what was refined is kept in {}",
+                           folder.string(), kFormerRefinementFile)
+             : "";
 }
 
 }  // namespace rigsound::analysis

@@ -17,8 +17,9 @@ std::optional<AnalysedPart> finished_part(const Part& part, const std::string& s
                                           const AnalyzerOptions& options);
 
 /// Writes the bank, its figures and, unless empty, its page; figures come last and mark it
-/// as finished. Errors: DeviceError. Thread: OFF.
-void save_part(const AnalysedPart& analysed, const ClickBank& bank, const std::string& sha256,
-               const std::string& page, const AnalyzerOptions& options);
+/// as finished. What a person refined in the bank before names clicks that are gone: it is kept under another
+/// name, and the note that says so is returned, else nothing. Errors: DeviceError. Thread: OFF.
+std::string save_part(const AnalysedPart& analysed, const ClickBank& bank, const std::string& sha256,
+                      const std::string& page, const AnalyzerOptions& options);
 
 }  // namespace rigsound::analysis

@@ -69,7 +69,8 @@ AnalysedPart analyse(Task& task, const std::string& sha256, const AnalyzerOption
     page =
         bank_page(analysed, report_section({analysis.recorded, analysis.start_s,
                                             analysis.chain.joined.verdict, analysis.chain.drilling, bank}));
-  save_part(analysed, bank, sha256, page, options);
+  const std::string replaced = save_part(analysed, bank, sha256, page, options);
+  if (!replaced.empty()) task.notes.push_back(replaced);
   return analysed;
 }
 

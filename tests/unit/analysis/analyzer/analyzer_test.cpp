@@ -141,6 +141,29 @@ TEST_CASE("finished banks are kept, damaged and outdated ones are made again") {
   }
 }
 
+TEST_CASE("what a person refined is kept when its bank is analysed anew, and said") {
+  const Workplace at;
+  write_recordings(at);
+  AnalyzerOptions options = options_for(at, "set");
+  run_analyzer(options, {});
+  const fs::path bank = at / "set/banks/whole", kept = bank / "refined.json.old";
+  write_text(bank / "refined.json", "by hand");
+  const auto told = [](const AnalyzerResult& result) {
+    return std::count_if(result.notes.begin(), result.notes.end(), [](const std::string& note) {
+      return note.find("banks/whole: ") != std::string::npos &&
+             note.find("refined.json.old") != std::string::npos;
+    });
+  };
+  options.clicks = 7;
+  CHECK(told(run_analyzer(options, {})) == 1);
+  CHECK_FALSE(fs::exists(bank / "refined.json"));
+  REQUIRE(fs::exists(kept));
+  CHECK(read_text(kept) == "by hand");
+  options.clicks = 8;
+  CHECK(told(run_analyzer(options, {})) == 0);
+  CHECK(read_text(kept) == "by hand");
+}
+
 TEST_CASE("what people wrote into soundset.toml stays") {
   const Workplace at;
   write_recordings(at);
