@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
-#include <regex>
+#include <string>
+#include <string_view>
 
 #include "chart/markup_text.hpp"
 #include "chart/number_word.hpp"
@@ -43,8 +45,11 @@ bool is_bad(const std::string& verdict) {
 
 /// Numbers stay beside their units.
 std::string unbroken(const std::string& sentence) {
-  const std::string text = chart::markup_text(sentence);
-  return std::regex_replace(text, std::regex("([0-9]) (bar|%)"), "$1&nbsp;$2");
+  std::string text = chart::markup_text(sentence);
+  for (const std::string_view unit : {" bar", " %"})
+    for (std::size_t at = 0; (at = text.find(unit, at)) != std::string::npos; ++at)
+      if (at > 0 && std::isdigit(static_cast<unsigned char>(text[at - 1]))) text.replace(at, 1, "&nbsp;");
+  return text;
 }
 
 std::string verdict_list(const Contrast& c) {
