@@ -31,6 +31,7 @@ SessionHeader parse_header(const std::string& file, const std::string& bytes, st
   SessionHeader h;
   h.program = lines["program"];
   h.fingerprint = lines["fingerprint"];
+  h.engine = lines["engine"];
   const auto sample_format = audio::sample_format_by_name(lines["format"]);
   const bool good = read_number(lines["seed"], h.seed) && read_number(lines["sample_rate"], h.sample_rate) &&
                     read_number(lines["block"], h.block) && read_number(lines["channels"], h.channels) &&

@@ -101,8 +101,9 @@ std::string header_text(const SessionHeader& h) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << kSessionTitle << ' ' << kSessionFormat << "\nprogram " << h.program << "\nfingerprint "
-       << h.fingerprint << "\nseed " << h.seed << "\nsample_rate " << h.sample_rate << "\nblock " << h.block
-       << "\nchannels " << h.channels << "\nformat " << audio::name(h.format) << '\n';
+       << h.fingerprint << "\nengine " << h.engine << "\nseed " << h.seed << "\nsample_rate " << h.sample_rate
+       << "\nblock " << h.block << "\nchannels " << h.channels << "\nformat " << audio::name(h.format)
+       << '\n';
   if (h.after_crash) text << kAfterCrash << " 1\n";
   text << '\n';
   return text.str();

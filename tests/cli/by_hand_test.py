@@ -132,6 +132,20 @@ class Manual(DaemonCase):
         silent = (len(sound) - len(sound.rstrip(b'\0'))) // (2 * 4)
         self.assertGreaterEqual(silent, 256 * 3)
 
+    def test_a_session_of_an_engine_that_sounds_otherwise_is_told(self):
+        daemon = self.start_daemon('--manual', '--session', self.sessions)
+        self.ctl('set', 'boom1.feed_pressure_bar', '160')
+        self.stop(daemon)
+        session = next(self.sessions.glob('*.rigsession'))
+        render = lambda: self.run_verb('render', self.rig, '--session', session, '--out', self.folder / 'out.wav').stderr
+        self.assertNotIn('engine', render())
+        bytes_ = session.read_bytes()
+        word = re.search(rb'\nengine ([0-9a-f]{8})\n', bytes_).group(1)
+        session.write_bytes(bytes_.replace(b'\nengine ' + word, b'\nengine 01234567', 1))
+        self.assertIn(f'{session}: was played by an engine of another sound, 01234567, this one is {word.decode()}', render())
+        session.write_bytes(bytes_.replace(b'\nengine ' + word, b'', 1))
+        self.assertIn(f'{session}: does not say which engine played it', render())
+
     def test_a_rig_named_as_the_folder_of_sessions_is_refused_and_stays(self):
         before = self.rig.read_bytes()
         result = subprocess.run([RIGSOUNDD, self.rig, '--manual', '--session', self.rig], capture_output=True, text=True, timeout=PATIENCE_S)

@@ -18,6 +18,7 @@
 #include "rigsound/config/fingerprint.hpp"
 #include "rigsound/config/rig.hpp"
 #include "rigsound/default_diesel.hpp"
+#include "rigsound/engine_sound.hpp"
 #include "rigsound/file/read_files.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "rigsound/session/log_states.hpp"
@@ -130,6 +131,15 @@ void render_log(const RenderArguments& options) {
   print_refused_values(rig, states.board());
 }
 
+/// The states are kept whatever happens to the engine; that it sounds as it did is not.
+void print_other_engine(const std::string& file, const session::SessionHeader& header) {
+  if (header.engine == kEngineSound) return;
+  fmt::print(stderr, "{}: {}, this one is {}: to hear what was heard, render it with rigsound {}\n", file,
+             header.engine.empty() ? "does not say which engine played it"
+                                   : "was played by an engine of another sound, " + header.engine,
+             kEngineSound, header.program);
+}
+
 /// What the session was rendered with counts; the rest must be what it was. Buses are not asked any more.
 void render_session(RenderArguments options) {
   options.session = session::newest_session(options.session).string();
@@ -144,6 +154,7 @@ void render_session(RenderArguments options) {
   if (fingerprint != header.fingerprint)
     throw InputError(options.session, "was played with another rig or sound set (" + header.fingerprint +
                                           "), expected that of " + options.rig + " (" + fingerprint + ")");
+  print_other_engine(options.session, header);
   render(rig, states, share_of_blocks(static_cast<double>(states.blocks())), header.format, options);
   if (states.bytes_ignored() > 0)
     fmt::print(stderr, "{}: the last {} bytes are not whole and were left out\n", options.session,

@@ -13,6 +13,7 @@
 #include "log.hpp"
 #include "metrics_page.hpp"
 #include "rigsound/device_error.hpp"
+#include "rigsound/engine_sound.hpp"
 #include "rigsound/monotonic_time.hpp"
 #include "rigsound/socket/tcp_listener.hpp"
 #include "socket_access.hpp"
@@ -261,6 +262,7 @@ session::SessionHeader Daemon::session_header() const {
   session::SessionHeader header;
   header.program = RIGSOUND_VERSION;
   header.fingerprint = loaded_.fingerprint;
+  header.engine = kEngineSound;
   header.seed = loaded_.rig.engine.seed;
   header.sample_rate = loaded_.rig.engine.sample_rate;
   header.block = loaded_.rig.engine.block;

@@ -20,6 +20,7 @@ constexpr double kLongestSkip_s = 3600;  ///< of a session; after a longer one t
 struct SessionHeader {
   std::string program;      ///< version that wrote it
   std::string fingerprint;  ///< of engine options and sound set; hexadecimal
+  std::string engine;       ///< kEngineSound of the engine that played; empty: of before it was written down
   std::uint64_t seed = 1;
   double sample_rate = 48000;  ///< Hz
   int block = 64;              ///< frames

@@ -61,6 +61,7 @@ void write_session(const fs::path& file, int states) {
   SessionHeader header;
   header.program = "0.1.0";
   header.fingerprint = "00ff";
+  header.engine = "0123abcd";
   header.seed = 18446744073709551615ULL;
   SessionWriter writer(file, new_file(file), header);
   for (int i = 0; i < states; ++i) {
@@ -98,6 +99,7 @@ TEST_CASE("A session gives back every state at its block, and its header") {
   CHECK(session.bytes_ignored() == 0);
   CHECK(session.header().seed == 18446744073709551615ULL);
   CHECK(session.header().fingerprint == "00ff");
+  CHECK(session.header().engine == "0123abcd");
   check_states(session);
 }
 
