@@ -8,6 +8,7 @@
 #include "diesel/angle_domain.hpp"
 #include "diesel/crank_tracker.hpp"
 #include "diesel/cycle_length.hpp"
+#include "diesel/heard_speed.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/machine/input_error.hpp"
 
@@ -16,6 +17,8 @@ namespace {
 
 constexpr int kFewestCycles = 20, kFewCycles = 100;
 constexpr double kTolerance = 0.03, kWorstCorrelation = 0.7;
+constexpr double kProposed = 0.7,
+                 kSureOfSpeed = 0.9;     // confidence to go on with, and to contradict a person with
 constexpr double kCut = 1.12;            // speed ratio at which a run-up becomes another point
 constexpr double kImpactTail_s = 0.018;  // an impact sounds this long
 constexpr double kClippedShare = 0.01;
@@ -58,15 +61,48 @@ void require_whole_cycles(const Section& section, double rpm, std::vector<std::s
     warnings.push_back(fmt::format("{}: rpm: {}", section.source, twice));
 }
 
-CrankTrack track_of(const DieselTake& take, const std::vector<double>& x) {
+bool near(double speed, double other) { return std::fabs(speed / other - 1) <= kTolerance; }
+
+/// The speed that nobody gave.
+double proposed_rpm(const DieselTake& take, const HeardSpeed& heard, std::vector<std::string>& warnings) {
+  if (heard.confidence < kProposed)
+    throw InputError(take.source, 0, "rpm",
+                     fmt::format("cannot be told from the sound (likeliest {:.0f} r/min with a confidence of "
+                                 "{:.2f}, or {:.0f}), expected --rpm",
+                                 heard.rpm, heard.confidence, heard.next_rpm));
+  warnings.push_back(
+      fmt::format("{}: rpm: {:.0f} r/min is heard, with a confidence of {:.2f}; --rpm says "
+                  "otherwise if it is wrong",
+                  take.source, heard.rpm, heard.confidence));
+  return heard.rpm;
+}
+
+/// A diesel of like cylinders sounds like one of twice, four or six times its speed; every other ratio is a
+/// mistake.
+bool contradicts(const HeardSpeed& heard, double rpm) {
+  constexpr double kLikeCylinders[] = {0.5, 1, 2, 4, 6};
+  return heard.confidence >= kSureOfSpeed &&
+         std::none_of(std::begin(kLikeCylinders), std::end(kLikeCylinders),
+                      [&](double ratio) { return near(heard.rpm, ratio * rpm); });
+}
+
+CrankTrack track_of(const DieselTake& take, const std::vector<double>& x,
+                    std::vector<std::string>& warnings) {
   if (!take.rpm_log.empty()) return track_logged(x, take.rpm_log);
-  const double found = repeating_rpm(x, take.rpm);
+  const HeardSpeed heard = heard_speed(x);
+  const double given = take.rpm > 0 ? take.rpm : proposed_rpm(take, heard, warnings);
+  if (contradicts(heard, given))
+    throw InputError(take.source, 0, "rpm",
+                     fmt::format("is {:.0f}, but the recording repeats at {:.0f} r/min (confidence {:.2f}), "
+                                 "expected within 3 %",
+                                 given, heard.rpm, heard.confidence));
+  const double found = repeating_rpm(x, given);
   if (found == 0)
-    throw InputError(take.source, fmt::format("does not repeat with any speed near {:.0f} r/min", take.rpm));
-  if (std::fabs(found / take.rpm - 1) > kTolerance)
+    throw InputError(take.source, fmt::format("does not repeat with any speed near {:.0f} r/min", given));
+  if (!near(found, given))
     throw InputError(take.source, 0, "rpm",
                      fmt::format("is {:.0f}, but the recording repeats at {:.0f} r/min, expected within 3 %",
-                                 take.rpm, found));
+                                 given, found));
   return track_steady(x, found);
 }
 
@@ -121,7 +157,7 @@ std::vector<Section> sections_of(const std::vector<DieselTake>& takes, std::vect
     const DieselTake& take = takes[i];
     warn_of_clipping(take, warnings);
     const std::vector<double> x(take.mono.begin(), take.mono.end());
-    const CrankTrack track = track_of(take, x);
+    const CrankTrack track = track_of(take, x, warnings);
     if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(takes.size()));
     require_tracked(take, track, warnings);
     const std::vector<char> open = open_samples(take);
@@ -141,7 +177,7 @@ std::vector<Section> sections_of(const std::vector<DieselTake>& takes, std::vect
       if (!open.empty()) s.open.assign(open.begin() + at, open.begin() + at + length);
       s.nyquist_hz = std::min(take.source_rate, static_cast<int>(kAnalysisRate)) / 2.0;
       s.load = take.load, s.correlation = track.correlation, s.run_up = ends.size() > 1;
-      if (take.rpm_log.empty()) require_whole_cycles(s, take.rpm, warnings);
+      if (take.rpm_log.empty()) require_whole_cycles(s, take.rpm > 0 ? take.rpm : track.rpm(), warnings);
       sections.push_back(std::move(s));
     }
   }

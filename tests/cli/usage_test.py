@@ -116,7 +116,6 @@ class WrongUsage(unittest.TestCase):
         self.refused('check', 'RIG.toml is required')
         self.refused('tool --length 0.5', '--length: is needed with --diameter, or --from')
         self.refused('background --formula', '--out: is needed, or --resynth')
-        self.refused('background a.wav --out set', '--rpm: is needed, or --rpm-track')
         self.refused('', 'RIG.toml is required', program=RIGSOUNDD)
 
 

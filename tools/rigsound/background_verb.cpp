@@ -89,7 +89,7 @@ void add_background(cli::Verb& program) {
       .one_of({"engine", "paper"});
   add_paper_options(verb, o->paper);
   verb.example("rigsound background idle.wav --rpm 800 --out soundset --name diesel");
-  verb.example("rigsound background idle.wav --rpm 800 --out soundset --json");
+  verb.example("rigsound background idle.wav --out soundset --json");
   verb.example(
       "rigsound background idle.wav mid.wav top.wav --rpm 800,1500,2300 --out soundset --name diesel");
   verb.example("rigsound background runup.wav --rpm-track rpm.csv --out soundset --resynth out.wav");

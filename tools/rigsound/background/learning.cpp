@@ -13,9 +13,9 @@
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::tools {
-namespace {
+using analysis::kFastestDiesel_rpm, analysis::kSlowestDiesel_rpm;
 
-constexpr double kSlowest_rpm = 300, kFastest_rpm = 4000;  // of a diesel that runs
+namespace {
 
 /// The i-th of a list that has one entry for all, one for each, or none.
 template <class T>
@@ -30,10 +30,10 @@ void check_speeds(const analysis::TimeTable& table, const std::string& file, dou
     throw InputError(file, fmt::format("covers {:.1f}...{:.1f} s, expected all of the recording's {:.1f} s",
                                        table.time_s.front(), table.time_s.back(), recording_s));
   for (std::size_t row = 0; row < table.value.size(); ++row)
-    if (!(table.value[row] >= kSlowest_rpm && table.value[row] <= kFastest_rpm))
+    if (!(table.value[row] >= kSlowestDiesel_rpm && table.value[row] <= kFastestDiesel_rpm))
       throw InputError(file, 0, "rpm",
                        fmt::format("is {:g} at {:g} s, expected {:.0f}...{:.0f} r/min", table.value[row],
-                                   table.time_s[row], kSlowest_rpm, kFastest_rpm));
+                                   table.time_s[row], kSlowestDiesel_rpm, kFastestDiesel_rpm));
 }
 
 /// One recording, or the stretch of a long one that is enough.
@@ -77,8 +77,6 @@ void require_matching(const LearningOptions& o) {
   if (!o.rpm_tracks.empty() && o.rpm_tracks.size() != o.inputs.size())
     throw cli::UsageError("--rpm-track", "expected one track a recording");
   if (o.inputs.empty() != o.formula) throw cli::UsageError("IN", "expected either recordings or --formula");
-  if (!o.formula && o.rpm.empty() && o.rpm_tracks.empty())
-    throw cli::UsageError("--rpm", "is needed, or --rpm-track");
 }
 
 analysis::LearnedDiesel built_in() {
@@ -119,9 +117,9 @@ analysis::LearnedDiesel learn(const std::vector<analysis::DieselTake>& takes, co
 
 void add_learning_options(cli::Verb& verb, LearningOptions& o) {
   verb.positional("IN.wav", o.inputs, "recordings of one diesel, each at one speed or with its speed track");
-  const cli::Option rpm = verb.option("--rpm", o.rpm, "speed of each recording, within 3 %")
+  const cli::Option rpm = verb.option("--rpm", o.rpm, "speed of each recording, within 3 %; left out: heard")
                               .separated_by_commas()
-                              .range(kSlowest_rpm, kFastest_rpm, "r/min");
+                              .range(kSlowestDiesel_rpm, kFastestDiesel_rpm, "r/min");
   verb.option("--rpm-track", o.rpm_tracks, "CSV time_s,rpm of each recording").excludes(rpm);
   verb.option("--load", o.load, "engine load of each recording").separated_by_commas().range(0, 1);
   verb.option("--name", o.name, "name of the background (default: that of the first recording)");

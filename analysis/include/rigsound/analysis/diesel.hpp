@@ -11,13 +11,15 @@
 
 namespace rigsound::analysis {
 
+constexpr double kSlowestDiesel_rpm = 300, kFastestDiesel_rpm = 4000;  ///< of one that runs
+
 /// One recording of the diesel: at one speed, or with its logged speed.
 struct DieselTake {
   std::string source;             ///< for messages
   std::vector<float> mono;        ///< kAnalysisRate
   int source_rate = 48000;        ///< Hz, of the file: nothing is learned above its Nyquist frequency
   double clipped = 0;             ///< share of its samples on flat tops, 0...1
-  double rpm = 0;                 ///< r/min within 3 %, when there is no log
+  double rpm = 0;                 ///< r/min within 3 %, when there is no log; 0: to be heard
   std::vector<double> rpm_log;    ///< r/min at every sample; empty: steady
   double load = 0;                ///< 0...1
   std::vector<double> impacts_s;  ///< times of hammer impacts in it, s, ascending; empty: clean
@@ -52,8 +54,8 @@ struct LearnedDiesel {
 };
 
 /// Tracks the crank, splits run-ups into points, joins everything in the order domain (README, A1-A11).
-/// Errors: InputError naming the take: fewer than 20 cycles, speed off by more than 3 %, no periodicity.
-/// Thread: OFF.
+/// A speed that nobody gave is heard and told among the warnings. Errors: InputError naming the take: fewer
+/// than 20 cycles, speed off by more than 3 %, no periodicity, a speed that cannot be heard. Thread: OFF.
 LearnedDiesel learn_diesel(const std::vector<DieselTake>& takes, const DieselSettings& settings,
                            const Progress& progress = {});
 

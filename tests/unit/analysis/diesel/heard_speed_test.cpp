@@ -1,0 +1,68 @@
+// The speed of a diesel from its sound, against the simulated one whose speed is known.
+#include "diesel/heard_speed.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "rigsound/analysis/diesel.hpp"
+#include "rigsound/machine/input_error.hpp"
+#include "simulate/diesel_recording.hpp"
+#include "simulate/split_mix.hpp"
+
+using namespace rigsound;
+using namespace rigsound::analysis;
+
+namespace {
+
+std::vector<double> diesel_at(double rpm, double seconds, std::uint64_t seed) {
+  DieselRun run;
+  run.rpm = steady_rpm(rpm, seconds), run.seed = seed, run.load = static_cast<double>(seed % 5) / 4;
+  return simulate_diesel(run).sound;
+}
+
+std::string said_at(const std::vector<double>& x, double rpm) {
+  DieselTake take;
+  take.source = "take.wav", take.mono.assign(x.begin(), x.end()), take.rpm = rpm;
+  DieselSettings settings;
+  settings.name = "engine";
+  try {
+    return learn_diesel({take}, settings).warnings.front();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+bool says(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("a diesel's speed is heard within half a per cent, whatever its load") {
+  std::uint64_t seed = 0;
+  for (double rpm = 480; rpm < 3000; rpm *= 1.11) {
+    const HeardSpeed heard = heard_speed(diesel_at(rpm, 8, ++seed));
+    CAPTURE(rpm);
+    CHECK(heard.rpm == doctest::Approx(rpm).epsilon(0.005));
+    CHECK(heard.confidence > 0.5);
+  }
+}
+
+TEST_CASE("noise has no speed") {
+  SplitMix draw(1);
+  for (int i = 0; i < 10; ++i) CHECK(heard_speed(draw.normals(8 * 48000)).confidence < 0.5);
+}
+
+TEST_CASE("a speed that nobody gave is heard and told") {
+  const std::string said = said_at(diesel_at(800, 15, 3), 0);
+  CHECK(says(said, "take.wav: rpm: 80"));
+  CHECK(says(said, "is heard"));
+  SplitMix draw(1);
+  CHECK(says(said_at(draw.normals(15 * 48000), 0), "expected --rpm"));
+}
+
+TEST_CASE("who gives a wrong speed is told the right one") {
+  const std::vector<double> slow = diesel_at(800, 15, 4), fast = diesel_at(1500, 15, 4);
+  CHECK(says(said_at(slow, 900), "repeats at 80"));
+  CHECK(says(said_at(fast, 500), "repeats at 150"));  // a third
+  CHECK_FALSE(says(said_at(fast, 1500), "repeats at"));
+}
