@@ -47,9 +47,9 @@ std::vector<double> modulation(std::vector<double> e) {
   for (double& v : e) v = v / mean - 1;
   const int cycles = welch_cycles(e.size(), kEnvelopeSlots);
   const std::vector<double> power = order_spectrum(e, kEnvelopeSlots, cycles);
-  constexpr double kNear = 0.13,
-                   kBetween[][2] = {{.2, .45}, {.55, .9}, {1.1, 2.9}, {3.1, 5.9}, {6.1, 11.9}, {12.1, 24}};
-  std::vector<double> at_order(17, 0.0), between(std::size(kBetween), 0.0);
+  constexpr double kNear = 0.13, kBetweenOrders[][2] = {{.2, .45},  {.55, .9},   {1.1, 2.9},
+                                                        {3.1, 5.9}, {6.1, 11.9}, {12.1, 24}};
+  std::vector<double> at_order(17, 0.0), between(std::size(kBetweenOrders), 0.0);
   for (std::size_t b = 1; b < power.size(); ++b) {
     const double order = static_cast<double>(b) / cycles, nearest = std::round(order);
     if (std::fabs(order - nearest) < kNear) {
@@ -57,7 +57,7 @@ std::vector<double> modulation(std::vector<double> e) {
       continue;
     }
     for (std::size_t i = 0; i < between.size(); ++i)
-      if (order >= kBetween[i][0] && order < kBetween[i][1]) between[i] += power[b];
+      if (order >= kBetweenOrders[i][0] && order < kBetweenOrders[i][1]) between[i] += power[b];
   }
   std::vector<double> db;
   for (std::size_t k = 1; k < at_order.size(); ++k)

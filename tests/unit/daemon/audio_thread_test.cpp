@@ -49,7 +49,7 @@ class KeepingSink : public audio::Sink {
 struct Setup {
   Setup() : sink(static_cast<std::size_t>(options.block * options.channels)) {
     fs::create_directories(folder);
-    recorder.expect_run({"test", "0", options.seed, options.sample_rate, options.block, options.channels,
+    recorder.expect_run({"test", "0", "", options.seed, options.sample_rate, options.block, options.channels,
                          audio::SampleFormat::kFloat});
   }
   ~Setup() { fs::remove_all(folder); }
@@ -153,7 +153,7 @@ TEST_CASE("After a skip of over an hour the session has ended in order, and the 
     RunQueue queue(16);
     AudioFigures figures;
     Recorder recorder(session::SessionFolder(s.folder / "r", 1 << 20), queue, figures);
-    recorder.expect_run({"test", "0", 1, 48000, 64, 2, audio::SampleFormat::kFloat});
+    recorder.expect_run({"test", "0", "", 1, 48000, 64, 2, audio::SampleFormat::kFloat});
     queue.enqueue(record(Kind::kChange, 0));
     queue.enqueue(record(Kind::kSkip, 40, hours * 3600 * 750));
     recorder.poll(0);
@@ -178,7 +178,7 @@ TEST_CASE("A session is full at its share of the limit, or at half of it where a
   RunQueue queue(16);
   AudioFigures figures;
   Recorder recorder(session::SessionFolder(s.folder / "r", 40000), queue, figures);  // a share: 10 000
-  recorder.expect_run({"test", "0", 1, 48000, 64, 2, audio::SampleFormat::kFloat});
+  recorder.expect_run({"test", "0", "", 1, 48000, 64, 2, audio::SampleFormat::kFloat});
   CHECK(recorder.wants_new_run(0).empty());
   RunRecord change = record(Kind::kChange, 0);
   for (std::uint64_t block = 0; recorder.bytes() <= 10000; ++block) {
