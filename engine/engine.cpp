@@ -23,14 +23,15 @@ namespace {
 
 /// One drill: its scene, its impacts, and the layers that hear them.
 struct Boom {
-  Boom(const EngineOptions& options, const SoundSet& sounds, int index)
-      : scene(options, sounds, index),
+  Boom(const EngineOptions& options, const scene::ClickSpectra& spectra, int index)
+      : scene(options, spectra, index),
         train(options.seed, index),
         drill(options.seed, index, options.sample_rate),
         drill_gain(dsp::gain_of_db(options.mix.drill_db + options.booms[index].gain_db)),
         tool_gain(dsp::gain_of_db(options.mix.tool_db + options.booms[index].gain_db)),
         made(options.sample_rate) {
     const BoomOptions& boom = options.booms[index];
+    const SoundSet& sounds = spectra.sounds();
     if (boom.tool >= 0) tool.emplace(sounds.tools[boom.tool], options.sample_rate, options.seed, index);
     if (boom.drill_string >= 0)
       rods.emplace(sounds.strings[boom.drill_string], options.sample_rate, options.seed, index);
@@ -80,7 +81,8 @@ struct Playing {
         diesel(sounds.diesels, options.sample_rate, options.seed, options.scene.idle_rpm),
         mixer(options),
         diesel_gain(dsp::gain_of_db(options.mix.diesel_db)) {
-    for (int b = 0; b < static_cast<int>(options.booms.size()); ++b) booms.emplace_back(options, sounds, b);
+    const scene::ClickSpectra spectra(sounds);
+    for (int b = 0; b < static_cast<int>(options.booms.size()); ++b) booms.emplace_back(options, spectra, b);
   }
 
   void set(const MachineState& state) noexcept;

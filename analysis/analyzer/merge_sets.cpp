@@ -8,7 +8,7 @@
 #include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/file/atomic_folder.hpp"
-#include "rigsound/file/mapped_file.hpp"
+#include "rigsound/file/large_block.hpp"
 #include "rigsound/file/read_files.hpp"
 #include "rigsound/machine/input_error.hpp"
 
@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 namespace {
 
 bool same_bytes(const fs::path& a, const fs::path& b) {
-  return MappedFile(a).bytes() == MappedFile(b).bytes();
+  const LargeBlock x = read_block(a), y = read_block(b);
+  return std::equal(x.data(), x.data() + x.size(), y.data(), y.data() + y.size());
 }
 
 /// Relative names of the files in a folder, or "" for a file itself.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "bank/candidates.hpp"
 #include "bank/click_choice.hpp"
@@ -29,6 +30,11 @@ void finish(std::vector<float>& click) {
     click[click.size() - 1 - n] *= static_cast<float>(n) / static_cast<float>(fade);
   const double energy = dsp::energy(click);
   for (float& v : click) v = static_cast<float>(v / std::sqrt(energy));
+}
+
+std::vector<Click> finished(std::vector<std::vector<float>> clicks) {
+  for (std::vector<float>& click : clicks) finish(click);
+  return {std::make_move_iterator(clicks.begin()), std::make_move_iterator(clicks.end())};
 }
 
 /// The mean envelope of the segments, each weighed by its clicks.
@@ -99,12 +105,11 @@ BuiltBank build_bank(const SegmentedResult& recording, Method method, int count,
   if (method == Method::kPaper) {
     set_plain_gap_statistics(onsets, bank);
     bank.amplitude_correlation = 0;
-    bank.clicks = extract_whitened(segments, candidates, choose_by_room(candidates, wanted));
-    for (auto& click : bank.clicks) finish(click);
+    bank.clicks = finished(extract_whitened(segments, candidates, choose_by_room(candidates, wanted)));
   } else {
     set_gap_statistics(onsets, bank);
-    bank.clicks = extract_masked(segments, candidates, choose_by_cover(segments, candidates, wanted));
-    for (auto& click : bank.clicks) finish(click);
+    bank.clicks =
+        finished(extract_masked(segments, candidates, choose_by_cover(segments, candidates, wanted)));
     equalise(bank, target);
     set_level(bank, drilling_power(segments) * power(target) /
                         power(recorded_levels(segments, Levels::kDenoisedOnly)));

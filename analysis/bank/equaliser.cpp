@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <unsupported/Eigen/FFT>
+#include <utility>
 
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/analysis/resynth.hpp"
@@ -50,7 +51,7 @@ double interpolated(const std::vector<double>& centre_hz, const std::vector<doub
   return db[above - 1] + share * (db[above] - db[above - 1]);
 }
 
-std::vector<float> filtered(const std::vector<float>& click, const Eigen::ArrayXd& fir) {
+std::vector<float> filtered(const Click& click, const Eigen::ArrayXd& fir) {
   const auto size = static_cast<long>(click.size());
   long n = 1024;
   while (n < size + fir.size()) n *= 2;
@@ -75,9 +76,11 @@ std::vector<float> filtered(const std::vector<float>& click, const Eigen::ArrayX
 /// Unit norm again; B takes over the gain the filter had on the mean click.
 void renormalise(ClickBank& bank) {
   double power = 0;
-  for (std::vector<float>& click : bank.clicks) {
+  for (Click& click : bank.clicks) {
     const double energy = dsp::energy(click);
-    for (float& v : click) v = static_cast<float>(v / std::sqrt(energy));
+    std::vector<float> unit(click.begin(), click.end());
+    for (float& v : unit) v = static_cast<float>(v / std::sqrt(energy));
+    click = std::move(unit);
     power += energy / static_cast<double>(bank.clicks.size());
   }
   bank.mean_amplitude *= std::sqrt(power);
@@ -127,7 +130,7 @@ void equalise(ClickBank& bank, const BandLevels& target) {
     gains_db.push_back(std::clamp(target.level_db[b] - now.level_db[b], -kMaxDb, kMaxDb));
   const Eigen::ArrayXd fir =
       minimum_phase_fir([&](double f) { return interpolated(target.centre_hz, gains_db, f); }, kTaps);
-  for (std::vector<float>& click : bank.clicks) click = filtered(click, fir);
+  for (Click& click : bank.clicks) click = filtered(click, fir);
   renormalise(bank);
 }
 

@@ -87,7 +87,7 @@ std::string envelope_panel(const ChainResult& segment) {
 std::string click_panels(const ClickBank& bank) {
   double longest = 0, peak = 0;
   std::vector<Outline> shapes;
-  for (const std::vector<float>& click : bank.clicks) {
+  for (const Click& click : bank.clicks) {
     shapes.push_back(outline(click.data(), click.size(), kClickColumns, 0, 1e3 / bank.sample_rate));
     longest = std::max(longest, 1e3 * static_cast<double>(click.size()) / bank.sample_rate);
     peak = std::max(peak, shapes.back().peak);

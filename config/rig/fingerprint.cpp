@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <vector>
 
 #include "rigsound/dsp/random.hpp"
@@ -24,9 +23,13 @@ class Print {
   }
   void add(const std::string& text) {
     add(static_cast<std::uint64_t>(text.size()));
-    for (std::size_t i = 0; i < text.size(); i += 8) {
+    add_words(text.data(), text.size());
+  }
+  /// Of eight bytes each; the last may have fewer.
+  void add_words(const char* bytes, std::size_t size) {
+    for (std::size_t i = 0; i < size; i += 8) {
       std::uint64_t word = 0;
-      std::memcpy(&word, text.data() + i, std::min<std::size_t>(8, text.size() - i));
+      std::memcpy(&word, bytes + i, std::min<std::size_t>(8, size - i));
       add(word);
     }
   }
@@ -69,10 +72,15 @@ void add_options(const Rig& rig, Print& print) {
     print.add(rig.boom_tools[b]);
 }
 
+/// As a text of its bytes, which are not in memory all at once.
 void add_content(const fs::path& file, Print& print) {
-  std::ifstream in(file, std::ios::binary);
+  std::ifstream in(file, std::ios::binary | std::ios::ate);
   if (!in) throw InputError(file.string(), "cannot be read");
-  print.add(std::string(std::istreambuf_iterator<char>(in), {}));
+  print.add(static_cast<std::uint64_t>(in.tellg()));
+  in.seekg(0);
+  std::vector<char> piece(1 << 16);
+  while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())) || in.gcount() > 0)
+    print.add_words(piece.data(), static_cast<std::size_t>(in.gcount()));
 }
 
 /// Of a folder, or of one packed file.

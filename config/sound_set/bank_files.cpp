@@ -7,11 +7,33 @@
 #include "rigsound/file/atomic_folder.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "sound_set/bank_json.hpp"
+#include "sound_set/bank_loading.hpp"
 #include "sound_set/clicks_wav.hpp"
 #include "sound_set/names.hpp"
 
 namespace rigsound::config {
 namespace fs = std::filesystem;
+
+namespace {
+
+StoredBank analysed_bank(const fs::path& bank_folder, ClickStore& store) {
+  std::error_code error;
+  if (!fs::is_directory(bank_folder, error))
+    throw InputError(bank_folder.string(), "is no bank folder, expected one with bank.json and clicks.wav");
+  const JsonFile json(bank_folder / "bank.json");
+  StoredBank stored = read_bank_json(json);
+  stored.bank.name = bank_folder.filename().string();
+  stored.bank.clicks =
+      read_clicks_wav(bank_folder / "clicks.wav", static_cast<int>(stored.bank.sample_rate), store);
+  try {
+    require_valid_numbers(stored.bank);  // clicks were checked as they were read
+  } catch (const InvalidField& invalid) {
+    json.fail(invalid);
+  }
+  return stored;
+}
+
+}  // namespace
 
 void save_bank(const fs::path& sound_set, const ClickBank& bank, const Provenance& provenance,
                const std::vector<FileBeside>& beside) {
@@ -32,23 +54,12 @@ void save_bank(const fs::path& sound_set, const ClickBank& bank, const Provenanc
 }
 
 StoredBank load_analysed_bank(const fs::path& bank_folder) {
-  std::error_code error;
-  if (!fs::is_directory(bank_folder, error))
-    throw InputError(bank_folder.string(), "is no bank folder, expected one with bank.json and clicks.wav");
-  const JsonFile json(bank_folder / "bank.json");
-  StoredBank stored = read_bank_json(json);
-  stored.bank.name = bank_folder.filename().string();
-  stored.bank.clicks = read_clicks_wav(bank_folder / "clicks.wav", static_cast<int>(stored.bank.sample_rate));
-  try {
-    require_valid(stored.bank);
-  } catch (const InvalidField& invalid) {
-    json.fail(invalid);
-  }
-  return stored;
+  ClickStore store;
+  return analysed_bank(bank_folder, store);
 }
 
-StoredBank load_bank(const fs::path& bank_folder) {
-  StoredBank stored = load_analysed_bank(bank_folder);
+StoredBank load_bank(const fs::path& bank_folder, ClickStore& store) {
+  StoredBank stored = analysed_bank(bank_folder, store);
   const std::optional<Refinement> refinement = load_refinement(bank_folder);
   if (!refinement) return stored;
   try {
@@ -57,6 +68,11 @@ StoredBank load_bank(const fs::path& bank_folder) {
     throw InputError((bank_folder / kRefinementFile).string(), 0, invalid.key(), invalid.problem());
   }
   return stored;
+}
+
+StoredBank load_bank(const fs::path& bank_folder) {
+  ClickStore store;
+  return load_bank(bank_folder, store);
 }
 
 }  // namespace rigsound::config

@@ -7,13 +7,20 @@
 namespace rigsound::config {
 namespace {
 
-void set_unit_norm(std::vector<float>& click) {
-  const double norm = std::sqrt(dsp::energy(click));
-  if (norm > 0)
-    for (float& x : click) x = static_cast<float>(x / norm);
+void set_unit_norm(float* click, std::size_t samples) {
+  const double norm = std::sqrt(dsp::energy(click, samples));
+  if (norm > 0) dsp::divide(click, samples, norm);
 }
 
 }  // namespace
+
+Click BankResampler::resampled(const Click& click) {
+  const std::size_t samples = converter_->converted_size(click.size());
+  const std::shared_ptr<float> made = store_.room(samples);
+  converter_->convert(click.data(), click.size(), made.get());
+  set_unit_norm(made.get(), samples);
+  return {made, samples};
+}
 
 ClickBank BankResampler::resampled(ClickBank bank) {
   if (bank.sample_rate == sample_rate_) return bank;
@@ -29,10 +36,7 @@ ClickBank BankResampler::resampled(ClickBank bank) {
   // The same waveform has `ratio` times as many samples, so its L2 norm grows by the root of that.
   bank.mean_amplitude *= std::sqrt(ratio);
   bank.amplitude_deviation *= std::sqrt(ratio);
-  for (std::vector<float>& click : bank.clicks) {
-    click = converter_->converted(click);
-    set_unit_norm(click);
-  }
+  for (Click& click : bank.clicks) click = resampled(click);
   return bank;
 }
 

@@ -5,6 +5,7 @@
 
 #include "rigsound/click_bank.hpp"
 #include "rigsound/dsp/rate_converter.hpp"
+#include "sound_set/click_store.hpp"
 
 namespace rigsound::config {
 
@@ -17,7 +18,10 @@ class BankResampler {
   ClickBank resampled(ClickBank bank);
 
  private:
+  Click resampled(const Click& click);
+
   double sample_rate_;
+  ClickStore store_{LargeBlock::kPiece};
   std::optional<dsp::RateConverter>
       converter_;  ///< from the rate of the last bank, which is mostly that of all
 };

@@ -16,7 +16,8 @@ MonoWav read_mono_wav(const std::filesystem::path& file) {
   const WavReader reader(file);
   MonoWav wav;
   wav.sample_rate = reader.format().samplerate;
-  wav.samples = reader.samples(0, reader.format().frames);
+  wav.samples.resize(static_cast<std::size_t>(reader.format().frames));
+  reader.read(0, reader.format().frames, wav.samples.data());
   for (const float x : wav.samples)
     if (!std::isfinite(x)) throw InputError(file.string(), "holds samples that are not finite numbers");
   return wav;

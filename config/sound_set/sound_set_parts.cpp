@@ -6,6 +6,7 @@
 #include "rigsound/config/tool_files.hpp"
 #include "rigsound/file/atomic_folder.hpp"
 #include "rigsound/machine/input_error.hpp"
+#include "sound_set/bank_loading.hpp"
 
 namespace rigsound::config {
 namespace fs = std::filesystem;
@@ -13,6 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 
 void load_banks(const fs::path& sound_set, SoundSetParts& parts) {
+  ClickStore store(LargeBlock::kPiece);
   for (const BankEntry& entry : parts.index.banks) {
     const bool read = std::any_of(parts.banks.begin(), parts.banks.end(),
                                   [&](const StoredBank& stored) { return stored.bank.name == entry.name; });
@@ -22,7 +24,7 @@ void load_banks(const fs::path& sound_set, SoundSetParts& parts) {
     if (!fs::is_directory(folder, error))
       throw InputError((sound_set / "soundset.toml").string(), entry.line, "bank.name",
                        "there is no folder " + folder.string());
-    parts.banks.push_back(load_bank(folder));
+    parts.banks.push_back(load_bank(folder, store));
   }
 }
 

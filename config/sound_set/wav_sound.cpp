@@ -53,11 +53,9 @@ WavReader::WavReader(const std::filesystem::path& file)
     throw InputError(name_, std::to_string(format_.channels) + " channels, expected 1");
 }
 
-std::vector<float> WavReader::samples(sf_count_t first, sf_count_t count) const {
-  std::vector<float> samples(static_cast<std::size_t>(count));
-  if (sf_seek(get(), first, SEEK_SET) != first || sf_read_float(get(), samples.data(), count) != count)
+void WavReader::read(sf_count_t first, sf_count_t count, float* samples) const {
+  if (sf_seek(get(), first, SEEK_SET) != first || sf_read_float(get(), samples, count) != count)
     throw InputError(name_, "ends early, expected " + std::to_string(first + count) + " samples");
-  return samples;
 }
 
 }  // namespace rigsound::config

@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <vector>
 
 #include "rigsound/audio/sound_memory.hpp"
 
@@ -31,8 +30,8 @@ class WavReader {
   const SF_INFO& format() const noexcept { return format_; }
   SNDFILE* get() const noexcept { return sound_.get(); }
 
-  /// `count` samples from `first` on. Errors: InputError when there are fewer.
-  std::vector<float> samples(sf_count_t first, sf_count_t count) const;
+  /// `count` samples from `first` on into `samples`. Errors: InputError when there are fewer.
+  void read(sf_count_t first, sf_count_t count, float* samples) const;
 
  private:
   std::string name_;

@@ -11,7 +11,7 @@ constexpr double kMostEnergy = 1e6;                   // of a unit click: far fr
 
 void require_clicks(const FieldCheck& check, const ClickBank& bank) {
   check.require(!bank.clicks.empty(), "clicks", "there are no clicks, expected at least one");
-  for (const std::vector<float>& click : bank.clicks) {
+  for (const Click& click : bank.clicks) {
     check.require(!click.empty(), "clicks", "one is empty, expected samples");
     check.require(dsp::energy(click) <= kMostEnergy, "clicks",
                   "one has a sample that is not finite, expected unit clicks");
@@ -20,7 +20,7 @@ void require_clicks(const FieldCheck& check, const ClickBank& bank) {
 
 }  // namespace
 
-void require_valid(const ClickBank& bank) {
+void require_valid_numbers(const ClickBank& bank) {
   const FieldCheck check("bank \"" + bank.name + "\": ");
   check.ranges(bank);
   const Range gaps{bank.sample_rate / kFastest_hz, bank.sample_rate / kSlowest_hz, "samples"};
@@ -33,7 +33,11 @@ void require_valid(const ClickBank& bank) {
   check.require(bend >= kLeastBend, "alpha_a",
                 "times N_a is " + number_text(bend) + ", expected at least " + number_text(kLeastBend) +
                     ": no number is as large as the attack's exponential");
-  require_clicks(check, bank);
+}
+
+void require_valid(const ClickBank& bank) {
+  require_valid_numbers(bank);
+  require_clicks(FieldCheck("bank \"" + bank.name + "\": "), bank);
 }
 
 }  // namespace rigsound

@@ -32,7 +32,7 @@ ClickPlayer::Rest& ClickPlayer::rest_of(const ClickBank& bank) noexcept {
   return rest;
 }
 
-const std::vector<float>& ClickPlayer::choose(const ClickBank& bank, std::uint64_t index) noexcept {
+const Click& ClickPlayer::choose(const ClickBank& bank, std::uint64_t index) noexcept {
   Rest& rest = rest_of(bank);
   const auto rested = static_cast<double>(bank.clicks.size() - rest.count);
   const auto rank = static_cast<std::size_t>(random_.uniform(index, 0) * rested);
@@ -45,7 +45,7 @@ const std::vector<float>& ClickPlayer::choose(const ClickBank& bank, std::uint64
 void ClickPlayer::strike(const BankChoices& banks, const Impact& impact,
                          const DrillControls& controls) noexcept {
   const ClickBank& bank = banks.drawn(random_.uniform(impact.index, 1));
-  const std::vector<float>& click = choose(bank, impact.index);
+  const Click& click = choose(bank, impact.index);
   const double gain = bank.mean_amplitude * impact.amplitude *
                       dsp::gain_of_db(bank.gain_db + static_cast<double>(controls.mean_amplitude_db));
   const int delay = static_cast<int>(std::floor(impact.onset + 0.5));

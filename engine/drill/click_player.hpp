@@ -49,7 +49,7 @@ class ClickPlayer {
   };
 
   Rest& rest_of(const ClickBank& bank) noexcept;
-  const std::vector<float>& choose(const ClickBank& bank, std::uint64_t index) noexcept;
+  const Click& choose(const ClickBank& bank, std::uint64_t index) noexcept;
 
   dsp::RandomField random_;
   std::array<ClickVoice, kMaxVoices> voices_{};

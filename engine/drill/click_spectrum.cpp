@@ -29,7 +29,7 @@ ClickSpectrum::ClickSpectrum(const ClickBank& bank) {
     upper_hz[static_cast<std::size_t>(band)] = centre_hz(band) * half_band;
   std::vector<double> re(kSize), im(kSize);
   for (std::size_t i = 0; i < std::min(kClicks, bank.clicks.size()); ++i) {
-    const std::vector<float>& click = bank.clicks[i];
+    const Click& click = bank.clicks[i];
     const std::size_t length = std::min<std::size_t>(click.size(), kSize);
     std::fill(std::copy_n(click.begin(), length, re.begin()), re.end(), 0.0);
     std::fill(im.begin(), im.end(), 0.0);

@@ -25,7 +25,7 @@ double ClickVoice::next_ratio() noexcept {
   return ratio_;
 }
 
-void ClickVoice::start(const ClickBank& bank, const std::vector<float>& click, int delay, double gain,
+void ClickVoice::start(const ClickBank& bank, const Click& click, int delay, double gain,
                        const DrillControls& controls) noexcept {
   position_ = click.data();
   end_ = click.data() + click.size();

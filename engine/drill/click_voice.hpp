@@ -1,9 +1,8 @@
 // One click sounding.
 #pragma once
 
-#include <vector>
-
 #include "drill/attack_decay.hpp"
+#include "rigsound/click.hpp"
 #include "rigsound/click_bank.hpp"
 #include "rigsound/machine/limits.hpp"
 #include "rigsound/machine/machine_state.hpp"
@@ -14,7 +13,7 @@ class ClickVoice {
  public:
   /// Starts `click` of `bank` at `delay` samples into the next chunk. The attack and decay factors of
   /// `controls` are those of this moment and stay with the click. Thread: RT.
-  void start(const ClickBank& bank, const std::vector<float>& click, int delay, double gain,
+  void start(const ClickBank& bank, const Click& click, int delay, double gain,
              const DrillControls& controls) noexcept;
 
   /// Adds the next kChunk samples to `bus`. Thread: RT.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "drill/click_voice.hpp"
 
@@ -9,8 +10,7 @@ namespace rigsound {
 namespace {
 
 /// The click as a voice plays it.
-std::vector<double> heard(const ClickBank& bank, const std::vector<float>& click,
-                          const DrillControls& controls) {
+std::vector<double> heard(const ClickBank& bank, const Click& click, const DrillControls& controls) {
   const std::size_t chunks = (click.size() + kChunk - 1) / kChunk;
   std::vector<double> sound(chunks * kChunk, 0.0);
   drill::ClickVoice voice;
@@ -21,17 +21,18 @@ std::vector<double> heard(const ClickBank& bank, const std::vector<float>& click
 }
 
 /// Reshapes all clicks; their mean square norm.
-double reshape(const ClickBank& bank, const DrillControls& controls,
-               std::vector<std::vector<float>>& clicks) {
+double reshape(const ClickBank& bank, const DrillControls& controls, std::vector<Click>& clicks) {
   double mean = 0;
-  for (std::vector<float>& click : clicks) {
+  for (Click& click : clicks) {
     const std::vector<double> sound = heard(bank, click, controls);
     double energy = 0;
     for (const double x : sound) energy += x * x;
     mean += energy / static_cast<double>(clicks.size());
     const double scale = energy > 0 ? 1 / std::sqrt(energy) : 0;
-    std::transform(sound.begin(), sound.end(), click.begin(),
+    std::vector<float> reshaped(sound.size());
+    std::transform(sound.begin(), sound.end(), reshaped.begin(),
                    [scale](double x) { return static_cast<float>(scale * x); });
+    click = std::move(reshaped);
   }
   return mean;
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <numeric>
 
+#include "rate_converter_rows.hpp"
 #include "rigsound/dsp/interpolation_kernel.hpp"
 #include "rigsound/dsp/lanes.hpp"
 
@@ -39,17 +40,23 @@ RateConverter::RateConverter(std::int64_t from_hz, std::int64_t to_hz)
   }
 }
 
+std::size_t RateConverter::converted_size(std::size_t samples) const noexcept {
+  return static_cast<std::size_t>((static_cast<std::int64_t>(samples) * up_ + down_ - 1) / down_);
+}
+
+void RateConverter::convert(const float* signal, std::size_t samples, float* out) const {
+  std::vector<float> x(samples + static_cast<std::size_t>(taps_ + 1), 0.0F);
+  std::copy_n(signal, samples, x.begin() + before_);
+  const PhaseRows rows{weights_.data(), up_, down_, taps_};
+#ifdef RIGSOUND_AVX2
+  if (__builtin_cpu_supports("avx2")) return convert_rows_eight(rows, x.data(), out, converted_size(samples));
+#endif
+  convert_rows<dot>(rows, x.data(), out, converted_size(samples));
+}
+
 std::vector<float> RateConverter::converted(const std::vector<float>& signal) const {
-  std::vector<float> x(signal.size() + static_cast<std::size_t>(taps_ + 1), 0.0F);
-  std::copy(signal.begin(), signal.end(), x.begin() + before_);
-  const std::int64_t count = (static_cast<std::int64_t>(signal.size()) * up_ + down_ - 1) / down_;
-  std::vector<float> out(static_cast<std::size_t>(count));
-  std::int64_t at = 0, phase = 0;
-  for (float& y : out) {
-    y = dot(weights_.data() + phase * taps_, x.data() + at, taps_);
-    phase += down_;
-    while (phase >= up_) phase -= up_, ++at;
-  }
+  std::vector<float> out(converted_size(signal.size()));
+  convert(signal.data(), signal.size(), out.data());
   return out;
 }
 

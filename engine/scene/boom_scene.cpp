@@ -41,11 +41,11 @@ bool approach(double& value, double target, double remainder, double arrived) no
 
 }  // namespace
 
-BoomScene::BoomScene(const EngineOptions& options, const SoundSet& sounds, int index)
-    : sounds_(&sounds),
+BoomScene::BoomScene(const EngineOptions& options, const ClickSpectra& spectra, int index)
+    : sounds_(&spectra.sounds()),
       sample_rate_(options.sample_rate),
       points_(feed_points(options.scene)),
-      axis_(sounds, options.scene, options.booms[index].drill_string),
+      axis_(spectra, options.scene, options.booms[index].drill_string),
       crossfade_step_(std::min(1.0, kChunk / (options.scene.crossfade_s * options.sample_rate))),
       feed_remainder_(dsp::one_pole_remainder(options.scene.response_s, kChunk, options.sample_rate)),
       rods_remainder_(dsp::one_pole_remainder(options.scene.crossfade_s, kChunk, options.sample_rate)),
@@ -54,7 +54,7 @@ BoomScene::BoomScene(const EngineOptions& options, const SoundSet& sounds, int i
       burst_fall_(dsp::one_pole_remainder(kBurstFall_s, kChunk, options.sample_rate)),
       rule_(options.scene),
       contact_bar_(options.scene.contact_bar),
-      rod_length_m_(rod_length_of(options.booms[index], sounds)) {
+      rod_length_m_(rod_length_of(options.booms[index], *sounds_)) {
   set(BoomState{});
   power_[static_cast<int>(voicing_of(rule_.situation()))] = 1;
 }

@@ -18,8 +18,8 @@ namespace rigsound::scene {
 
 class BoomScene {
  public:
-  /// `sounds` must outlive it. Thread: OFF.
-  BoomScene(const EngineOptions& options, const SoundSet& sounds, int index);
+  /// `spectra`: of a sound set that must outlive it. Thread: OFF.
+  BoomScene(const EngineOptions& options, const ClickSpectra& spectra, int index);
 
   /// A new state, at a block's start. Thread: RT.
   void set(const BoomState& state) noexcept;

@@ -12,9 +12,13 @@ namespace rigsound::scene {
 /// Each is computed when it is first asked for. Thread: OFF.
 class ClickSpectra {
  public:
-  explicit ClickSpectra(const SoundSet& sounds) : sounds_(sounds), known_(sounds.banks.size()) {}
+  /// `sounds` must outlive it.
+  ClickSpectra(const SoundSet& sounds)  // NOLINT(google-explicit-constructor): for one boom, a set is enough
+      : sounds_(sounds), known_(sounds.banks.size()) {}
 
-  const drill::ClickSpectrum& of(const BankUse& use) {
+  const SoundSet& sounds() const noexcept { return sounds_; }
+
+  const drill::ClickSpectrum& of(const BankUse& use) const {
     const auto bank = static_cast<std::size_t>(use.bank);
     if (!known_[bank]) known_[bank].emplace(sounds_.banks[bank]);
     return *known_[bank];
@@ -22,7 +26,7 @@ class ClickSpectra {
 
  private:
   const SoundSet& sounds_;
-  std::vector<std::optional<drill::ClickSpectrum>> known_;
+  mutable std::vector<std::optional<drill::ClickSpectrum>> known_;
 };
 
 }  // namespace rigsound::scene

@@ -5,7 +5,6 @@
 
 #include "rigsound/dsp/elementary.hpp"
 #include "scene/bank_choice.hpp"
-#include "scene/click_spectra.hpp"
 
 namespace rigsound::scene {
 namespace {
@@ -75,9 +74,12 @@ double FeedPoints::deviation(double feed_bar) const noexcept {
   return side > 0 ? (feed_bar - normal) / side : 0.0;
 }
 
-FeedAxis::FeedAxis(const SoundSet& sounds, const SceneOptions& options, int string)
-    : sounds_(&sounds), options_(options), points_(feed_points(options)), level_(sounds, string) {
-  ClickSpectra spectra(sounds);
+FeedAxis::FeedAxis(const ClickSpectra& spectra, const SceneOptions& options, int string)
+    : sounds_(&spectra.sounds()),
+      options_(options),
+      points_(feed_points(options)),
+      level_(spectra.sounds(), string) {
+  const SoundSet& sounds = *sounds_;
   for (int rock = -1; rock < static_cast<int>(sounds.rocks.size()); ++rock) {
     std::vector<int> counts;
     for (const BankUse& use : sounds.uses)
@@ -93,7 +95,7 @@ FeedAxis::FeedAxis(const SoundSet& sounds, const SceneOptions& options, int stri
 
 /// Of each situation the banks nearest in rods and rock, so that a rod count recorded in one situation only
 /// is whole.
-FeedAxis::Series FeedAxis::series_of(int rods, int rock, ClickSpectra& spectra) const {
+FeedAxis::Series FeedAxis::series_of(int rods, int rock, const ClickSpectra& spectra) const {
   Series series{rods, {}, {}, {}};
   const auto place_of = [&](const BankUse& use) {
     if (use.feed_bar > 0) return use.feed_bar;
@@ -120,7 +122,7 @@ FeedAxis::Series FeedAxis::series_of(int rods, int rock, ClickSpectra& spectra) 
 
 /// Beyond its ends a series goes on by the last laws of the set that hold for it, else by those of the two
 /// banks nearest to the end.
-void FeedAxis::find_ends(int rock, Series& series, ClickSpectra& spectra) const {
+void FeedAxis::find_ends(int rock, Series& series, const ClickSpectra& spectra) const {
   const std::vector<Point>& points = series.points;
   const auto spectrum = [&](const Point& point) -> const drill::ClickSpectrum& {
     return spectra.of(*point.use);

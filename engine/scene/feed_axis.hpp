@@ -9,6 +9,7 @@
 #include "rigsound/feed_rule.hpp"
 #include "rigsound/options.hpp"
 #include "rigsound/sound_set.hpp"
+#include "scene/click_spectra.hpp"
 #include "scene/tilted_norm.hpp"
 #include "scene/unrecorded_level.hpp"
 
@@ -27,8 +28,9 @@ struct FeedPlace {
 
 class FeedAxis {
  public:
-  /// `sounds` must outlive it. `string`: of the boom, an index into SoundSet::strings; -1: none. Thread: OFF.
-  FeedAxis(const SoundSet& sounds, const SceneOptions& options, int string = -1);
+  /// `spectra`: of a sound set that must outlive it. `string`: of the boom, an index into SoundSet::strings;
+  /// -1: none. Thread: OFF.
+  FeedAxis(const ClickSpectra& spectra, const SceneOptions& options, int string = -1);
 
   /// `rods` may lie between two counts: then so does the sound. Thread: RT.
   FeedPlace place(double feed_bar, double rods, int rock) const noexcept;
@@ -52,8 +54,8 @@ class FeedAxis {
     std::vector<Point> points;
     End below, above;
   };
-  Series series_of(int rods, int rock, ClickSpectra& spectra) const;
-  void find_ends(int rock, Series& series, ClickSpectra& spectra) const;
+  Series series_of(int rods, int rock, const ClickSpectra& spectra) const;
+  void find_ends(int rock, Series& series, const ClickSpectra& spectra) const;
   void add_limits(const Point& end, const FeedLaws& laws, double last_bar, FeedReach& reach) const;
   const ClickBank& bank_of(const Point& point) const noexcept { return sounds_->banks[point.use->bank]; }
   void draw(const Point& point, double share, int rock, FeedPlace& place) const noexcept;

@@ -1,5 +1,6 @@
 // start_bench: what a rig of 200 banks costs before its first sample, as a folder and packed, recorded at the
-// rig's rate and at another one. `start_bench --open RIG` is one start, in a process of its own.
+// rig's rate and at another one. With --make FOLDER it writes those rigs into a folder; with --open RIG it is
+// one start, in a process of its own, and prints s of CPU, MB resident, MB at most and page faults.
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -49,7 +50,7 @@ double click_megabytes(double sample_rate) {
 }
 
 struct Cost {
-  double cpu_s = 0, resident_mb = 0, peak_mb = 0;
+  double cpu_s = 0, resident_mb = 0, peak_mb = 0, faults = 0;
 };
 
 Cost cost_now() {
@@ -62,28 +63,29 @@ Cost cost_now() {
   };
   return {seconds(usage.ru_utime) + seconds(usage.ru_stime),
           static_cast<double>(resident * sysconf(_SC_PAGESIZE)) / kMegabyte,
-          static_cast<double>(usage.ru_maxrss) * 1024 / kMegabyte};
+          static_cast<double>(usage.ru_maxrss) * 1024 / kMegabyte, static_cast<double>(usage.ru_minflt)};
 }
 
-void open_rig(const char* file) {
+/// Not inlined: structure_start_cost counts the instructions inside.
+[[gnu::noinline]] void counted_start(const char* file) {
   config::Rig rig = config::load_rig(file);
   SoundSet sounds = config::load_sounds(rig);
   const Engine engine = config::build_engine(rig, std::move(sounds));
   const Cost cost = cost_now();
-  std::printf("%.4f %.2f %.2f\n", cost.cpu_s, cost.resident_mb, cost.peak_mb);
+  std::printf("%.4f %.2f %.2f %.0f\n", cost.cpu_s, cost.resident_mb, cost.peak_mb, cost.faults);
 }
 
 /// The least of five starts: what others do on the machine only adds to it.
 Cost cost_of(const std::string& program, const std::filesystem::path& rig) {
-  Cost least{1e9, 1e9, 1e9};
+  Cost least{1e9, 1e9, 1e9, 1e9};
   for (int i = 0; i < 5; ++i) {
     FILE* const child = popen((program + " --open " + rig.string()).c_str(), "r");
     Cost cost;
-    const bool read = child != nullptr &&
-                      std::fscanf(child, "%lf %lf %lf", &cost.cpu_s, &cost.resident_mb, &cost.peak_mb) == 3;
+    const bool read = child != nullptr && std::fscanf(child, "%lf %lf %lf %lf", &cost.cpu_s,
+                                                      &cost.resident_mb, &cost.peak_mb, &cost.faults) == 4;
     if (child == nullptr || pclose(child) != 0 || !read) throw std::runtime_error("a start failed");
     least = {std::min(least.cpu_s, cost.cpu_s), std::min(least.resident_mb, cost.resident_mb),
-             std::min(least.peak_mb, cost.peak_mb)};
+             std::min(least.peak_mb, cost.peak_mb), std::min(least.faults, cost.faults)};
   }
   return least;
 }
@@ -98,24 +100,35 @@ void rows(const std::string& program, const std::filesystem::path& rig, const st
                 cost.peak_mb - clicks, "MB"});
 }
 
-void measure(const std::string& program) {
-  const test::TemporaryFolder folder;
-  for (const int rate : {48000, 44100}) {
-    const std::string name = std::to_string(rate);
+constexpr int kRates[] = {48000, 44100};
+
+/// FOLDER/folder48000.toml, FOLDER/packed48000.toml, and of the other rate.
+void make_rigs(const std::filesystem::path& folder) {
+  for (const int rate : kRates) {
+    const std::string of_rate = std::to_string(rate), packed = of_rate + ".rigset";
     config::PackedSet set;
     set.parts = many_banks(rate);
-    config::save_parts(folder.path / name, set.parts);
-    write_file(folder.path / (name + ".rigset"), config::packed(set));
-    for (const std::string kind : {"", ".rigset"})
-      rows(program, folder.write("rig" + name + kind + ".toml", "[sound]\nset = \"" + name + kind + "\"\n"),
-           name + " Hz, " + (kind.empty() ? "folder" : "packed"));
+    config::save_parts(folder / of_rate, set.parts);
+    write_file(folder / packed, config::packed(set));
+    write_file(folder / ("folder" + of_rate + ".toml"), "[sound]\nset = \"" + of_rate + "\"\n");
+    write_file(folder / ("packed" + of_rate + ".toml"), "[sound]\nset = \"" + packed + "\"\n");
   }
+}
+
+void measure(const std::string& program) {
+  const test::TemporaryFolder folder;
+  make_rigs(folder.path);
+  for (const int rate : kRates)
+    for (const std::string kind : {"folder", "packed"})
+      rows(program, folder.path / (kind + std::to_string(rate) + ".toml"),
+           std::to_string(rate) + " Hz, " + kind);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) try {
-  if (argc == 3 && std::strcmp(argv[1], "--open") == 0) return open_rig(argv[2]), 0;
+  if (argc == 3 && std::strcmp(argv[1], "--open") == 0) return counted_start(argv[2]), 0;
+  if (argc == 3 && std::strcmp(argv[1], "--make") == 0) return make_rigs(argv[2]), 0;
   std::printf("%d banks, %.1f MB of clicks in a rig of %g Hz\n", kBanks, click_megabytes(kRate), kRate);
   measure(argv[0]);
   return 0;

@@ -11,10 +11,12 @@ using namespace rigsound;
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr int kRate = 48000;
   const fuzz::MemoryFile file(data, size);
+  config::ClickStore store;
   config::Clicks clicks;
-  if (!fuzz::accepts<InputError>([&] { clicks = config::read_clicks_wav(file.path(), kRate); })) return 0;
+  if (!fuzz::accepts<InputError>([&] { clicks = config::read_clicks_wav(file.path(), kRate, store); }))
+    return 0;
   const fuzz::MemoryFile again("");
   config::write_clicks_wav(again.path(), clicks, kRate);
-  if (config::read_clicks_wav(again.path(), kRate) != clicks) std::abort();
+  if (config::read_clicks_wav(again.path(), kRate, store) != clicks) std::abort();
   return 0;
 }

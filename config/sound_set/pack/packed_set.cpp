@@ -65,7 +65,7 @@ SoundSetIndex read_index(PackReader& in) {
 void write_bank(const StoredBank& stored, PackWriter& out, std::string& samples) {
   out.text(stored.bank.name), out.write(stored.provenance), out.write(stored.bank);
   out.size(stored.bank.clicks.size());
-  for (const std::vector<float>& click : stored.bank.clicks) {
+  for (const Click& click : stored.bank.clicks) {
     samples.resize((samples.size() + kAlignment - 1) / kAlignment * kAlignment);
     out.number(static_cast<std::uint64_t>(samples.size()));
     out.size(click.size());
@@ -75,29 +75,28 @@ void write_bank(const StoredBank& stored, PackWriter& out, std::string& samples)
 
 struct PackedSamples {
   std::string_view bytes;
-  std::size_t read = 0;  ///< of them: where the click that was read last ends
+  const ClickOfBytes& click_of;
 };
 
-std::vector<float> read_click(PackReader& in, PackedSamples& samples) {
+Click read_click(PackReader& in, const PackedSamples& samples) {
   const auto at = in.number<std::uint64_t>();
   const std::size_t count = in.number<std::uint32_t>();
   if (at > samples.bytes.size() || count > (samples.bytes.size() - at) / sizeof(float))
     in.fail("is damaged: a click lies behind its end");
-  std::vector<float> click(count);
-  if (count > 0) std::memcpy(click.data(), samples.bytes.data() + at, count * sizeof(float));
-  samples.read = at + count * sizeof(float);
+  Click click = samples.click_of(samples.bytes.substr(at, count * sizeof(float)));
   if (!(std::fabs(std::sqrt(dsp::energy(click)) - 1) <= kUnitNormTolerance))
     in.fail("holds a click that is not of unit norm");
   return click;
 }
 
-StoredBank read_bank(PackReader& in, PackedSamples& samples) {
+StoredBank read_bank(PackReader& in, const PackedSamples& samples) {
   StoredBank stored;
   stored.bank.name = read_name(in);
   in.read(stored.provenance), in.read(stored.bank);
   const std::size_t clicks = in.size(sizeof(std::uint64_t) + sizeof(std::uint32_t));
-  if (clicks > kMaxBankClicks)
-    in.fail("holds a bank of " + std::to_string(clicks) + " clicks, expected fewer");
+  if (clicks == 0 || clicks > kMaxBankClicks)
+    in.fail("holds a bank of " + std::to_string(clicks) + " clicks, expected 1 to " +
+            std::to_string(kMaxBankClicks));
   for (std::size_t i = 0; i < clicks; ++i) stored.bank.clicks.push_back(read_click(in, samples));
   return stored;
 }
@@ -176,7 +175,7 @@ void require_complete(const SoundSetParts& parts, const PackReader& in) {
 
 void require_valid_models(const SoundSetParts& parts, const std::string& file) {
   try {
-    for (const StoredBank& stored : parts.banks) require_valid(stored.bank);
+    for (const StoredBank& stored : parts.banks) require_valid_numbers(stored.bank);
     for (const ToolModel& tool : parts.tools) require_valid(tool, kMaxSampleRate);
     for (const StringModel& string : parts.strings) require_valid(string);
     for (const DieselModel& diesel : parts.diesels) require_valid(diesel);
@@ -203,6 +202,12 @@ std::uint32_t require_whole(std::string_view bytes, PackReader& head) {
 
 }  // namespace
 
+Click copied_click(std::string_view bytes) {
+  std::vector<float> samples(bytes.size() / sizeof(float));
+  if (!bytes.empty()) std::memcpy(samples.data(), bytes.data(), bytes.size());
+  return samples;
+}
+
 bool is_packed(std::string_view bytes) { return bytes.substr(0, kMagic.size()) == kMagic; }
 
 std::string packed(const PackedSet& set) {
@@ -228,8 +233,7 @@ std::string packed(const PackedSet& set) {
   return bytes;
 }
 
-PackedSet read_packed(std::string_view bytes, const std::string& file,
-                      const std::function<void(std::string_view)>& done) {
+PackedSet read_packed(std::string_view bytes, const std::string& file, const ClickOfBytes& click_of) {
   PackReader head(bytes, file);
   const std::uint32_t version = require_whole(bytes, head);
   std::uint64_t samples_at = 0;
@@ -237,16 +241,13 @@ PackedSet read_packed(std::string_view bytes, const std::string& file,
   samples_at = all.number<std::uint64_t>();
   if (samples_at > bytes.size() || samples_at < kHashed + sizeof samples_at)
     all.fail("is damaged: it begins behind its end");
-  PackedSamples samples{bytes.substr(samples_at)};
+  const PackedSamples samples{bytes.substr(samples_at), click_of};
   PackReader in(bytes.substr(kHashed + sizeof samples_at, samples_at - kHashed - sizeof samples_at), file,
                 version);
   PackedSet set;
   set.rig = read_rig(in);
   set.parts.index = read_index(in);
-  for (std::size_t left = in.size(1); left > 0; --left) {
-    set.parts.banks.push_back(read_bank(in, samples));
-    if (done) done(samples.bytes.substr(0, samples.read));
-  }
+  for (std::size_t left = in.size(1); left > 0; --left) set.parts.banks.push_back(read_bank(in, samples));
   read_models(in, set.parts.tools);
   read_models(in, set.parts.strings);
   for (std::size_t left = in.size(1); left > 0; --left) set.parts.diesels.push_back(read_diesel(in));

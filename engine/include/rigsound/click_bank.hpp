@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "rigsound/click.hpp"
 #include "rigsound/machine/fields.hpp"
 
 namespace rigsound {
@@ -37,7 +38,7 @@ struct ClickBank {
 
   double gain_db = 0;  ///< trim of this bank against the others, dB
 
-  std::vector<std::vector<float>> clicks;  ///< each of unit L2 norm, at `sample_rate`
+  std::vector<Click> clicks;  ///< each of unit L2 norm, at `sample_rate`
 };
 
 /// The numbers of bank.json. Times are samples of banks of any rate.
@@ -63,6 +64,9 @@ void fields(Archive& a, ClickBank& o) {
 /// Throws InvalidField when `bank` cannot be played: a number out of its range or at odds with another, no
 /// clicks, an empty click or one that is not finite. Thread: OFF.
 void require_valid(const ClickBank& bank);
+
+/// The same of all but the clicks. Thread: OFF.
+void require_valid_numbers(const ClickBank& bank);
 
 /// How bright the clicks are: slope of their mean power spectrum from 160 Hz to 8 kHz, dB an octave. Thread:
 /// OFF.

@@ -173,7 +173,7 @@ Answer click(const Workplace& place, const std::string& name, const std::string&
   const ClickBank bank = config::load_analysed_bank(bank_folder(place, name)).bank;
   for (std::size_t c = 0; c < bank.clicks.size(); ++c) {
     if (std::to_string(c) != index) continue;
-    std::vector<float> x = bank.clicks[c];
+    std::vector<float> x(bank.clicks[c].begin(), bank.clicks[c].end());
     float peak = 0;
     for (const float value : x) peak = std::max(peak, std::fabs(value));
     for (float& value : x) value *= peak > 0 ? kPeak / peak : 0;

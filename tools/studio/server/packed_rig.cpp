@@ -90,7 +90,7 @@ std::string packed_sound_set(const Workplace& place, PackRig rig) {
 std::string packed_bank(const Workplace& place, const std::string& name, const std::vector<int>& clicks) {
   config::StoredBank stored = config::load_analysed_bank(bank_folder(place, name));
   if (!clicks.empty()) {
-    std::vector<std::vector<float>> kept;
+    std::vector<Click> kept;
     for (const int click : clicks) {
       if (click < 0 || click >= static_cast<int>(stored.bank.clicks.size()))
         throw ApiError(400, "clicks: there is no click " + std::to_string(click));

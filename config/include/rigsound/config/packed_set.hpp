@@ -35,13 +35,16 @@ bool is_packed(std::string_view bytes);  ///< by its first bytes; Thread: any
 /// The whole file. Thread: OFF.
 std::string packed(const PackedSet& set);
 
-/// Checks hash, every length before it is used and every number; what is not as packed() writes it is
-/// refused. `file` is for messages; `done` is told which part of `bytes` is not looked at again. Errors:
-/// InputError. Thread: OFF.
-PackedSet read_packed(std::string_view bytes, const std::string& file,
-                      const std::function<void(std::string_view)>& done = {});
+/// The click whose samples are `bytes`.
+using ClickOfBytes = std::function<Click(std::string_view bytes)>;
+Click copied_click(std::string_view bytes);  ///< Thread: any
 
-/// The same of a file on disk, mapped while it is read. Errors: InputError. Thread: OFF.
+/// Checks hash, every length before it is used and every number; what is not as packed() writes it is
+/// refused. `file` is for messages; `click_of` is given parts of `bytes`. Errors: InputError. Thread: OFF.
+PackedSet read_packed(std::string_view bytes, const std::string& file,
+                      const ClickOfBytes& click_of = copied_click);
+
+/// The same of a file on disk: clicks stay where they were read to. Errors: InputError. Thread: OFF.
 PackedSet load_packed(const std::filesystem::path& file);
 
 }  // namespace rigsound::config

@@ -203,7 +203,8 @@ TEST_CASE("a bank from true clicks plays with the level and spectrum of the clip
     const BuiltBank built = build_bank(alone(truth), Method::kClickNmf, 10, "clip");
     CHECK(built.bank.clicks.size() == 10);
     for (const auto& click : built.bank.clicks)
-      CHECK(mean_square(click) * static_cast<double>(click.size()) == doctest::Approx(1).epsilon(1e-4));
+      CHECK(mean_square({click.begin(), click.end()}) * static_cast<double>(click.size()) ==
+            doctest::Approx(1).epsilon(1e-4));
     const std::vector<float> sound = resynthesise(built.bank, 20, 99).sound;
     CHECK(10 * std::log10(mean_square(sound) / mean_square(truth.drilling.all())) ==
           doctest::Approx(0).epsilon(0.6));

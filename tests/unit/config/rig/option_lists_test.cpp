@@ -210,3 +210,16 @@ TEST_CASE("every number of the engine's options is in the fingerprint, a boom's 
   prints.insert(config::fingerprint(rig));
   CHECK(static_cast<int>(prints.size()) == counter.count() + 2);
 }
+
+TEST_CASE("a sound set's file is in the fingerprint as a text of its bytes, however long it is") {
+  const test::TemporaryFolder folder;
+  for (const std::size_t bytes : {0, 5, 1 << 16, 3 * (1 << 16) + 13}) {
+    std::string text(bytes, 'a');
+    for (std::size_t i = 0; i < bytes; ++i) text[i] = static_cast<char>(i * i % 251);
+    config::Rig read, said;
+    read.engine.booms = said.engine.booms = {{"a", 0, 0, -1}, {"b", 0, 0, -1}};
+    read.boom_tools = {"steel"}, read.sound_set = folder.write("x.rigset", text);
+    said.boom_tools = {"steel", text};
+    CHECK(config::fingerprint(read) == config::fingerprint(said));
+  }
+}

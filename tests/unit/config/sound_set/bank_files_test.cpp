@@ -155,7 +155,7 @@ TEST_CASE("a WAV without cue points, with NaN or with silence is refused") {
   write({0, 0, 0}, true);
   CHECK(complaint(load).find("silent") != std::string::npos);
   write({3, 4}, true);
-  CHECK(config::load_bank(set.path / "banks/x").bank.clicks[0] == std::vector<float>{0.6F, 0.8F});
+  CHECK(config::load_bank(set.path / "banks/x").bank.clicks[0] == Click{0.6F, 0.8F});
 }
 
 TEST_CASE("a bank at another rate keeps its times in seconds and its waveform") {

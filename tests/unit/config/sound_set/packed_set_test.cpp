@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cstring>
+#include <fstream>
 
 #include "config/sound_set/example_bank.hpp"
 #include "rigsound/default_diesel.hpp"
@@ -120,14 +121,47 @@ TEST_CASE("a set that was packed before limiters looked ahead still plays, and l
   CHECK(old.parts.banks[1].bank.clicks == set.parts.banks[1].bank.clicks);
 }
 
-TEST_CASE("clicks lie at multiples of 64 bytes, as the reader of a mapped file wants them") {
+TEST_CASE("clicks lie at multiples of 64 bytes, as a reader wants them that plays them where they lie") {
   const config::PackedSet set = example();
   const std::string bytes = config::packed(set);
   std::uint64_t samples_at = 0;
   std::memcpy(&samples_at, bytes.data() + kHashed, sizeof samples_at);
   CHECK(samples_at % 64 == 0);
-  const std::vector<float>& first = set.parts.banks[0].bank.clicks[0];
+  const Click& first = set.parts.banks[0].bank.clicks[0];
   CHECK(std::memcmp(bytes.data() + samples_at, first.data(), first.size() * sizeof(float)) == 0);
+}
+
+TEST_CASE("a packed file is played as it was read, whoever writes over it then") {
+  const test::TemporaryFolder folder;
+  const config::PackedSet set = example();
+  const std::filesystem::path file = folder.write("x.rigset", config::packed(set));
+  const config::PackedSet loaded = config::load_packed(file);
+  std::ofstream(file, std::ios::trunc) << "as cp over it does: the same file, cut off";
+  for (std::size_t b = 0; b < set.parts.banks.size(); ++b)
+    CHECK(loaded.parts.banks[b].bank.clicks == set.parts.banks[b].bank.clicks);
+  CHECK_THROWS_AS(config::load_packed(file), InputError);
+}
+
+TEST_CASE("clicks of a packed file are in memory once, and stay when all else of the set is gone") {
+  const test::TemporaryFolder folder;
+  const config::PackedSet set = example();
+  const std::filesystem::path file = folder.write("x.rigset", config::packed(set));
+  std::vector<Click> clicks;
+  {
+    const config::PackedSet loaded = config::load_packed(file);
+    const std::vector<ClickBank> banks = config::sound_set_of(loaded.parts, 48000).banks;
+    CHECK(banks[1].clicks[0].data() == loaded.parts.banks[1].bank.clicks[0].data());
+    CHECK(banks[3].clicks[0].data() == banks[1].clicks[0].data());  // another trim
+    clicks = banks[1].clicks;
+  }
+  CHECK(clicks == set.parts.banks[1].bank.clicks);
+}
+
+TEST_CASE("a bank without clicks is refused") {
+  config::PackedSet set = example();
+  set.parts.banks[0].bank.clicks.clear();
+  CHECK_THROWS_WITH_AS(config::read_packed(config::packed(set), "x"),
+                       "x: holds a bank of 0 clicks, expected 1 to 2400", InputError);
 }
 
 TEST_CASE("a folder packed and unpacked is the folder again") {

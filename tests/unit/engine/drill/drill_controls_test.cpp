@@ -31,10 +31,11 @@ TEST_CASE("attack and decay factors turn a click into one with the wanted envelo
 
 TEST_CASE("a click made longer still ends 30 dB down, and a bent attack made shorter stays bounded") {
   ClickBank bank = flat_bank(200, 0.002);
-  bank.clicks[0].clear();
   bank.attack_bend = -0.04;  // hardly anything in the first half
   drill::AttackDecay envelope(bank.attack_samples, bank.attack_bend, bank.decay);
-  for (int n = 0; n < 3000; ++n) bank.clicks[0].push_back(static_cast<float>(envelope.next()));
+  std::vector<float> bent;
+  for (int n = 0; n < 3000; ++n) bent.push_back(static_cast<float>(envelope.next()));
+  bank.clicks = {bent};
   DrillControls controls;
   controls.attack_factor = 0.2f, controls.decay_factor = 0.25f;
   const std::vector<double> out = one_strike(bank, 0, controls);
@@ -49,12 +50,15 @@ namespace {
 std::vector<double> mean_power_course(const DrillControls& controls, std::size_t samples) {
   ClickBank bank = flat_bank(96, 0.004);
   bank.mean_gap_samples = 8000, bank.gap_deviation_samples = 0;
-  const std::vector<float> envelope = bank.clicks[0];
+  const Click envelope = bank.clicks[0];
   const dsp::RandomField noise(77, 0, 0);
-  bank.clicks.assign(40, envelope);
-  for (std::uint64_t c = 0; c < bank.clicks.size(); ++c)
-    for (std::uint64_t n = 0; n < envelope.size(); ++n)
-      bank.clicks[c][n] *= static_cast<float>(noise.normal(c * 10000 + n, 0));
+  bank.clicks.clear();
+  for (std::uint64_t c = 0; c < 40; ++c) {
+    std::vector<float> click(envelope.begin(), envelope.end());
+    for (std::uint64_t n = 0; n < click.size(); ++n)
+      click[n] *= static_cast<float>(noise.normal(c * 10000 + n, 0));
+    bank.clicks.push_back(click);
+  }
   BankPlayer player(bank, 3);
   std::vector<double> sound, power(samples, 0.0), onsets;
   while (sound.size() < 400 * 8000) {

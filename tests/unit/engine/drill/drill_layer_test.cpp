@@ -161,7 +161,9 @@ TEST_CASE("an unusable bank is refused by name when the player is built") {
   CHECK_THROWS_WITH_AS(BankPlayer(bank, 1), doctest::Contains("r_T: is 0.991, expected -0.99...0.99"),
                        std::invalid_argument);
   bank = flat_bank(0, 0.002);
-  bank.clicks[0][7] = std::nanf("");
+  std::vector<float> click(bank.clicks[0].begin(), bank.clicks[0].end());
+  click[7] = std::nanf("");
+  bank.clicks = {click};
   CHECK_THROWS_AS(BankPlayer(bank, 1), std::invalid_argument);
   bank.clicks.clear();
   CHECK_THROWS_WITH_AS(BankPlayer(bank, 1), doctest::Contains("no clicks"), std::invalid_argument);

@@ -103,7 +103,7 @@ TEST_CASE("the spectrum's slope of filtered noise, and the level it has after a 
   const ClickBank bank = noise_bank(0.9);
   for (const double tilt : {-8.0, -3.3, 0.0, 2.1}) {
     double ratio = 0;
-    for (const std::vector<float>& click : bank.clicks)
+    for (const Click& click : bank.clicks)
       ratio += norm(tilted(tilt, {click.begin(), click.end()}, bank.sample_rate)) / 16;
     CAPTURE(tilt);
     CHECK(std::fabs(20 / std::log(10.0) *

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dsp/rate_converter_rows.hpp"
 #include "rigsound/dsp/elementary.hpp"
+#include "rigsound/dsp/lanes.hpp"
+#include "rigsound/dsp/random.hpp"
 
 using namespace rigsound;
 
@@ -48,6 +51,21 @@ TEST_CASE("what the lower rate cannot carry is gone") {
   for (std::size_t i = made.size() / 4; i < made.size() * 3 / 4; ++i)
     peak = std::max(peak, std::fabs(static_cast<double>(made[i])));
   CHECK(peak < 1e-4);
+}
+
+TEST_CASE("eight floats side by side give the bits of four") {
+#if defined(__x86_64__)
+  if (!__builtin_cpu_supports("avx2")) return;
+  constexpr std::size_t kTaps = 48, kUp = 160, kCount = 2000;
+  const dsp::RandomField random(5, 0, 0);
+  std::vector<float> weights(kUp * kTaps), x(kCount + kTaps), four(kCount), eight(kCount);
+  for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = static_cast<float>(random.normal(i, 0));
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = static_cast<float>(random.normal(i, 1));
+  const dsp::PhaseRows rows{weights.data(), kUp, 147, kTaps};
+  dsp::convert_rows<dsp::dot>(rows, x.data(), four.data(), kCount);
+  dsp::convert_rows_eight(rows, x.data(), eight.data(), kCount);
+  CHECK(four == eight);
+#endif
 }
 
 TEST_CASE("sample 0 stays sample 0, and the sound lasts as long") {

@@ -17,10 +17,11 @@ inline Lanes load(const double* p) noexcept {
 
 /// Two floats, exactly.
 inline Lanes load(const float* p) noexcept {
-  using Floats = float __attribute__((vector_size(8)));
-  Floats v;
-  std::memcpy(&v, p, sizeof v);
-  return __builtin_convertvector(v, Lanes);
+  using Floats = float __attribute__((vector_size(16)));
+  using Doubles = double __attribute__((vector_size(32)));
+  // gcc converts a vector of two floats one by one, one of four as two pairs, of which one is left out.
+  const Doubles x = __builtin_convertvector((Floats{p[0], p[1], p[0], p[1]}), Doubles);
+  return __builtin_shufflevector(x, x, 0, 1);
 }
 
 inline Lanes larger(Lanes a, Lanes b) noexcept { return a < b ? b : a; }
@@ -40,6 +41,13 @@ inline double total(Lanes x) noexcept { return x[0] + x[1]; }
 inline double total(double x) noexcept { return x; }
 
 inline void store(double* p, Lanes v) noexcept { std::memcpy(p, &v, sizeof v); }
+
+/// Both rounded to a float.
+inline void store(float* p, Lanes v) noexcept {
+  using Floats = float __attribute__((vector_size(8)));
+  const Floats rounded = __builtin_convertvector(v, Floats);
+  std::memcpy(p, &rounded, sizeof rounded);
+}
 
 /// sum a[i] b[i] for n a multiple of 8: four accumulators of two lanes, added as
 /// ((s0 + s1) + (s2 + s3)), then lane 0 + lane 1. Thread: RT.

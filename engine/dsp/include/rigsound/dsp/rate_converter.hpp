@@ -1,6 +1,7 @@
 // A whole signal at another sampling rate: windowed sinc, one row of weights a phase.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -15,7 +16,11 @@ class RateConverter {
 
   std::int64_t from_hz() const noexcept { return from_hz_; }
 
-  /// As many samples as last as long, rounded up. Thread: OFF.
+  /// As many samples as last as long as `samples`, rounded up. Thread: any.
+  std::size_t converted_size(std::size_t samples) const noexcept;
+
+  /// `samples` of `signal` into converted_size(samples) of `out`. Thread: OFF.
+  void convert(const float* signal, std::size_t samples, float* out) const;
   std::vector<float> converted(const std::vector<float>& signal) const;
 
  private:

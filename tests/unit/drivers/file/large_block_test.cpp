@@ -1,0 +1,66 @@
+#include "rigsound/file/large_block.hpp"
+
+#include <doctest/doctest.h>
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <fstream>
+#include <optional>
+#include <string>
+
+#include "rigsound/machine/input_error.hpp"
+#include "temporary_folder.hpp"
+
+using namespace rigsound;
+
+namespace {
+
+constexpr std::size_t kPiece = LargeBlock::kPiece;
+
+bool is_there(char* page) {
+  unsigned char resident = 0;
+  return ::mincore(page, 1, &resident) == 0;
+}
+
+}  // namespace
+
+TEST_CASE("a block is zeros from a multiple of a large page on, of any size") {
+  for (const std::size_t bytes :
+       {std::size_t{0}, std::size_t{1}, std::size_t{5000}, kPiece, 3 * kPiece + 7}) {
+    const LargeBlock block(bytes);
+    CHECK(block.size() == bytes);
+    CHECK(reinterpret_cast<std::uintptr_t>(block.data()) % kPiece == 0);
+    CHECK(std::count(block.data(), block.data() + bytes, '\0') == static_cast<std::ptrdiff_t>(bytes));
+  }
+}
+
+TEST_CASE("pieces that somebody uses outlive the block, the others go with it") {
+  std::optional<LargeBlock> block(4 * kPiece);
+  char* const first = block->data();
+  first[2 * kPiece - 1] = 'a', first[2 * kPiece] = 'b';
+  std::shared_ptr<char> across = block->part(2 * kPiece - 1, 2), within = block->part(3 * kPiece, kPiece);
+  block.reset();
+  CHECK_FALSE(is_there(first));
+  REQUIRE(is_there(first + kPiece));
+  REQUIRE(is_there(first + 2 * kPiece));
+  CHECK(across.get()[0] == 'a');
+  CHECK(across.get()[1] == 'b');
+  across.reset();
+  CHECK_FALSE(is_there(first + kPiece));
+  CHECK_FALSE(is_there(first + 2 * kPiece));
+  CHECK(is_there(within.get()));
+}
+
+TEST_CASE("a file that was read stays as it was, whoever cuts it off or writes over it") {
+  const test::TemporaryFolder folder;
+  std::string text(kPiece + 12345, 'a');
+  for (std::size_t i = 0; i < text.size(); ++i) text[i] = static_cast<char>('a' + i / 5000 % 26);
+  const std::filesystem::path file = folder.write("a", text);
+  const LargeBlock block = read_block(file);
+  std::ofstream(file, std::ios::trunc) << "b";
+  CHECK(std::string_view(block.data(), block.size()) == text);
+  CHECK(read_block(folder.write("empty", "")).size() == 0);
+  CHECK_THROWS_AS(read_block(folder.path / "nothing"), InputError);
+  CHECK_THROWS_WITH_AS(read_block(folder.path), doctest::Contains("no regular file"), InputError);
+}
