@@ -30,6 +30,7 @@ std::vector<double> load_axis(const DieselModel& model) {
 
 std::vector<float> exponentials(const std::vector<double>& logarithms) {
   std::vector<float> y;
+  y.reserve(logarithms.size());
   for (const double x : logarithms) y.push_back(static_cast<float>(dsp::exp(x)));
   return y;
 }
@@ -51,9 +52,8 @@ std::vector<float> order_table(const DieselModel& model, const SourcePoint& sour
   return {re.begin(), re.end()};
 }
 
-OperatingState computed(const DieselModel& model, double rpm, double load, double sample_rate,
+OperatingState computed(const DieselModel& model, const SourcePoint& source, double rpm, double sample_rate,
                         const dsp::Fft<double>& fft) {
-  const SourcePoint source = source_at(model, rpm, load);
   OperatingState state;
   state.table = order_table(model, source, cycles_per_second(rpm), sample_rate, fft);
   state.hi = exponentials(source.hi);
@@ -76,10 +76,12 @@ OperatingGrid::OperatingGrid(const DieselModel& model, double sample_rate) : loa
   rpm_min_ = kBelow * slowest;
   speeds_ = 1 + static_cast<int>(std::ceil(kPerOctave * dsp::log(kTop_rpm / rpm_min_) / dsp::kLn2));
   const dsp::Fft<double> fft(model.angle_samples);
+  const SourceMap sources(model);
   for (const double load : loads_)
-    for (int i = 0; i < speeds_; ++i)
-      states_.push_back(
-          computed(model, rpm_min_ * dsp::exp(dsp::kLn2 * i / kPerOctave), load, sample_rate, fft));
+    for (int i = 0; i < speeds_; ++i) {
+      const double rpm = rpm_min_ * dsp::exp(dsp::kLn2 * i / kPerOctave);
+      states_.push_back(computed(model, sources.at(rpm, load), rpm, sample_rate, fft));
+    }
 }
 
 GridPlace OperatingGrid::place(double rpm, double load) const noexcept {
