@@ -10,7 +10,7 @@ LowLayer::LowLayer(const DieselModel& model, std::uint64_t seed)
       tree_(P_, model.low_scales, seed),
       bank_(P_),
       ring_(4 * P_),
-      deviation_(static_cast<std::size_t>(rows_ * P_)),
+      deviation_(static_cast<std::size_t>(rows_ * P_ / WaveletTree::kGroups)),
       slice_(static_cast<std::size_t>(P_ / WaveletTree::kGroups)),
       X_(static_cast<std::size_t>(P_)),
       overlap_(X_.size()),
@@ -35,8 +35,10 @@ void LowLayer::reset() noexcept {
 }
 
 void LowLayer::grow(int groups, const OperatingGrid& grid, const GridPlace& place) noexcept {
+  const int count = static_cast<int>(deviation_.size());
   for (; groups_done_ < groups; ++groups_done_) {
-    if (groups_done_ == 0) grid.mix(place, &OperatingState::lo, 0, rows_ * P_, deviation_.data());
+    if (groups_done_ == 0) place_ = place;
+    grid.mix(place_, &OperatingState::lo, groups_done_ * count, count, deviation_.data());
     tree_.produce(groups_done_, deviation_.data(), slice_.data());
     for (std::size_t i = 0; i < slice_.size(); ++i)
       X_[static_cast<std::size_t>(groups_done_) + i * WaveletTree::kGroups] = slice_[i];

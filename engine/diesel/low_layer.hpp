@@ -31,6 +31,7 @@ class LowLayer {
   dsp::Mdct<double> bank_;
   AngleRing ring_;
   int groups_done_ = 0;
+  GridPlace place_;  ///< where the frame was begun
   std::vector<double> deviation_, slice_, X_, overlap_, y_;
 };
 
