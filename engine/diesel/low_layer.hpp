@@ -16,7 +16,8 @@ class LowLayer {
   LowLayer(const DieselModel& model, std::uint64_t seed);  ///< Thread: OFF
 
   /// Makes every angle sample before `end`. A frame is begun as soon as the one before it starts to play and
-  /// grows by sixteenths of a cycle, so no block pays for a whole one. Thread: RT.
+  /// grows a group at a time, is transformed before its turn and overlapped with the one before it then, so
+  /// no block pays for a whole one. Thread: RT.
   void produce(std::int64_t end, const OperatingGrid& grid, const GridPlace& place) noexcept;
 
   void reset() noexcept;  ///< Silence so far. Thread: RT
@@ -24,6 +25,7 @@ class LowLayer {
   const AngleRing& ring() const noexcept { return ring_; }
 
  private:
+  void transform() noexcept;
   void grow(int groups, const OperatingGrid& grid, const GridPlace& place) noexcept;
 
   int P_, rows_;
@@ -31,6 +33,8 @@ class LowLayer {
   dsp::Mdct<double> bank_;
   AngleRing ring_;
   int groups_done_ = 0;
+  bool transformed_ = false;  ///< bank_ holds the frame
+  GridPlace place_;           ///< where the frame was begun
   std::vector<double> deviation_, slice_, X_, overlap_, y_;
 };
 

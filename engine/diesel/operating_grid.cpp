@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "diesel/source_point.hpp"
+#include "diesel/wavelet_tree.hpp"
 #include "rigsound/dsp/elementary.hpp"
 #include "rigsound/dsp/fft.hpp"
 #include "rigsound/dsp/lanes.hpp"
@@ -30,6 +31,7 @@ std::vector<double> load_axis(const DieselModel& model) {
 
 std::vector<float> exponentials(const std::vector<double>& logarithms) {
   std::vector<float> y;
+  y.reserve(logarithms.size());
   for (const double x : logarithms) y.push_back(static_cast<float>(dsp::exp(x)));
   return y;
 }
@@ -51,18 +53,28 @@ std::vector<float> order_table(const DieselModel& model, const SourcePoint& sour
   return {re.begin(), re.end()};
 }
 
-OperatingState computed(const DieselModel& model, double rpm, double load, double sample_rate,
+/// Of every channel with the body on it; channel q lies at order (q + 1/2) / 2.
+std::vector<float> low_deviations(const DieselModel& model, const SourcePoint& source, double rpm) {
+  const auto channels = static_cast<std::size_t>(model.low_channels),
+             groups = std::size_t{WaveletTree::kGroups};
+  const std::size_t rows = source.lo.size() / channels, width = channels / groups;
+  std::vector<float> lo(source.lo.size());
+  for (std::size_t q = 0; q < channels; ++q) {
+    const double f = (static_cast<double>(q) + 0.5) / 2 * cycles_per_second(rpm);
+    const auto body = static_cast<float>(dsp::gain_of_db(body_db(model.body, f)));
+    for (std::size_t row = 0; row < rows; ++row)
+      lo[(q % groups * rows + row) * width + q / groups] =
+          static_cast<float>(dsp::exp(source.lo[row * channels + q])) * body;
+  }
+  return lo;
+}
+
+OperatingState computed(const DieselModel& model, const SourcePoint& source, double rpm, double sample_rate,
                         const dsp::Fft<double>& fft) {
-  const SourcePoint source = source_at(model, rpm, load);
   OperatingState state;
   state.table = order_table(model, source, cycles_per_second(rpm), sample_rate, fft);
   state.hi = exponentials(source.hi);
-  state.lo = exponentials(source.lo);
-  const std::size_t P = static_cast<std::size_t>(model.low_channels);
-  for (std::size_t i = 0; i < state.lo.size(); ++i) {
-    const double f = (static_cast<double>(i % P) + 0.5) / 2 * cycles_per_second(rpm);
-    state.lo[i] *= static_cast<float>(dsp::gain_of_db(body_db(model.body, f)));
-  }
+  state.lo = low_deviations(model, source, rpm);
   state.s.assign(source.s.begin(), source.s.end());
   state.rho = source.rho;
   return state;
@@ -76,10 +88,12 @@ OperatingGrid::OperatingGrid(const DieselModel& model, double sample_rate) : loa
   rpm_min_ = kBelow * slowest;
   speeds_ = 1 + static_cast<int>(std::ceil(kPerOctave * dsp::log(kTop_rpm / rpm_min_) / dsp::kLn2));
   const dsp::Fft<double> fft(model.angle_samples);
+  const SourceMap sources(model);
   for (const double load : loads_)
-    for (int i = 0; i < speeds_; ++i)
-      states_.push_back(
-          computed(model, rpm_min_ * dsp::exp(dsp::kLn2 * i / kPerOctave), load, sample_rate, fft));
+    for (int i = 0; i < speeds_; ++i) {
+      const double rpm = rpm_min_ * dsp::exp(dsp::kLn2 * i / kPerOctave);
+      states_.push_back(computed(model, sources.at(rpm, load), rpm, sample_rate, fft));
+    }
 }
 
 GridPlace OperatingGrid::place(double rpm, double load) const noexcept {

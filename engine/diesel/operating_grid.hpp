@@ -15,7 +15,7 @@ struct OperatingState {
   std::vector<float> table;  ///< one cycle of the orders, N_theta samples
   std::vector<float> hi;     ///< L x bands: standard deviation of the slot's coefficients
   std::vector<float> s;      ///< L: spread of the logarithm of the slot's power
-  std::vector<float> lo;     ///< (N + 1) x P_lo: standard deviation
+  std::vector<float> lo;     ///< standard deviation: of each group of the WaveletTree, (N + 1) x its channels
   double rho = 0;
 };
 

@@ -31,17 +31,6 @@ std::vector<double> mixed(const std::vector<double>& a, const std::vector<double
 
 double wrapped(double phase) { return phase - dsp::kTwoPi * std::floor(phase / dsp::kTwoPi + 0.5); }
 
-/// Along one load: sorted by speed.
-SourcePoint along(const DieselModel& model, const std::vector<const DieselPoint*>& row, double rpm) {
-  std::size_t upper = 0;
-  while (upper < row.size() && row[upper]->rpm < rpm) ++upper;
-  if (upper == 0) return source_of(model, *row.front());
-  if (upper == row.size()) return source_of(model, *row.back());
-  const DieselPoint &a = *row[upper - 1], &b = *row[upper];
-  const double way = dsp::log(rpm / a.rpm) / dsp::log(b.rpm / a.rpm);
-  return between(source_of(model, a), source_of(model, b), way);
-}
-
 }  // namespace
 
 double body_db(const BodyResponse& E, double f_hz) {
@@ -87,25 +76,36 @@ SourcePoint between(const SourcePoint& a, const SourcePoint& b, double way) {
   return y;
 }
 
-SourcePoint source_at(const DieselModel& model, double rpm, double load) {
-  std::vector<double> loads;
-  for (const DieselPoint& p : model.points) loads.push_back(p.load);
-  std::sort(loads.begin(), loads.end());
-  loads.erase(std::unique(loads.begin(), loads.end()), loads.end());
-  std::size_t upper = 0;
-  while (upper + 1 < loads.size() && loads[upper] < load) ++upper;
-  const std::size_t lower = upper > 0 && loads[upper] > load ? upper - 1 : upper;
+SourceMap::SourceMap(const DieselModel& model) {
+  std::vector<const DieselPoint*> points;
+  for (const DieselPoint& p : model.points) points.push_back(&p);
+  std::sort(points.begin(), points.end(), [](const DieselPoint* a, const DieselPoint* b) {
+    return a->load != b->load ? a->load < b->load : a->rpm < b->rpm;
+  });
+  for (const DieselPoint* point : points) {
+    if (rows_.empty() || rows_.back().load != point->load) rows_.push_back({point->load, {}});
+    rows_.back().points.push_back({point->rpm, source_of(model, *point)});
+  }
+}
 
-  const auto at_load = [&](double wanted) {
-    std::vector<const DieselPoint*> row;
-    for (const DieselPoint& p : model.points)
-      if (p.load == wanted) row.push_back(&p);
-    std::sort(row.begin(), row.end(), [](const auto* a, const auto* b) { return a->rpm < b->rpm; });
-    return along(model, row, rpm);
-  };
-  if (lower == upper) return at_load(loads[upper]);
-  return between(at_load(loads[lower]), at_load(loads[upper]),
-                 (load - loads[lower]) / (loads[upper] - loads[lower]));
+SourcePoint SourceMap::along(const Row& row, double rpm) {
+  const std::vector<Known>& points = row.points;
+  std::size_t upper = 0;
+  while (upper < points.size() && points[upper].rpm < rpm) ++upper;
+  if (upper == 0) return points.front().source;
+  if (upper == points.size()) return points.back().source;
+  const Known &a = points[upper - 1], &b = points[upper];
+  const double way = dsp::log(rpm / a.rpm) / dsp::log(b.rpm / a.rpm);
+  return between(a.source, b.source, way);
+}
+
+SourcePoint SourceMap::at(double rpm, double load) const {
+  std::size_t upper = 0;
+  while (upper + 1 < rows_.size() && rows_[upper].load < load) ++upper;
+  const std::size_t lower = upper > 0 && rows_[upper].load > load ? upper - 1 : upper;
+  if (lower == upper) return along(rows_[upper], rpm);
+  return between(along(rows_[lower], rpm), along(rows_[upper], rpm),
+                 (load - rows_[lower].load) / (rows_[upper].load - rows_[lower].load));
 }
 
 }  // namespace rigsound::diesel

@@ -25,8 +25,28 @@ SourcePoint source_of(const DieselModel& model, const DieselPoint& point);
 /// The way from `a` to `b`, 0...1. Thread: OFF.
 SourcePoint between(const SourcePoint& a, const SourcePoint& b, double way);
 
-/// The source at any speed and load: between the two nearest speeds (in logarithm) of the two nearest loads,
-/// held outside. Thread: OFF.
-SourcePoint source_at(const DieselModel& model, double rpm, double load);
+/// The sources of all points of a model. Thread: OFF.
+class SourceMap {
+ public:
+  explicit SourceMap(const DieselModel& model);
+
+  /// At any speed and load: between the two nearest speeds (in logarithm) of the two nearest loads, held
+  /// outside.
+  SourcePoint at(double rpm, double load) const;
+
+ private:
+  struct Known {
+    double rpm;
+    SourcePoint source;
+  };
+  struct Row {
+    double load;
+    std::vector<Known> points;  ///< by speed
+  };
+
+  static SourcePoint along(const Row& row, double rpm);
+
+  std::vector<Row> rows_;  ///< by load
+};
 
 }  // namespace rigsound::diesel

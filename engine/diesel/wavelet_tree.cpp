@@ -27,13 +27,13 @@ void WaveletTree::reset() noexcept {
   std::fill(detail_.begin(), detail_.end(), 0.0);
 }
 
-void WaveletTree::draw(int group, int row, const double* deviation, double* out) noexcept {
-  const double* sigma = deviation + row * channels_ + group;
-  for (int i = 0; i < width_; ++i) out[i] = sigma[i * kGroups] * random_.white(drawn_++, 0);
+void WaveletTree::draw(int row, const double* deviation, double* out) noexcept {
+  const double* sigma = deviation + row * width_;
+  for (int i = 0; i < width_; ++i) out[i] = sigma[i] * random_.white(drawn_++, 0);
 }
 
 void WaveletTree::level(int group, int j, const double* deviation, double* out) noexcept {
-  if (j == N_) return draw(group, N_, deviation, out);
+  if (j == N_) return draw(N_, deviation, out);
   const int odd = static_cast<int>(count_[static_cast<std::size_t>(group)] >> j & 1);
   const auto at = [&](std::vector<double>& rows, int past) {
     return rows.data() +
@@ -48,7 +48,7 @@ void WaveletTree::level(int group, int j, const double* deviation, double* out) 
       std::memcpy(at(detail_, past), at(detail_, past - 1), bytes);
     }
     level(group, j + 1, deviation, at(approximation_, 0));
-    draw(group, j, deviation, at(detail_, 0));
+    draw(j, deviation, at(detail_, 0));
   }
   for (int i = 0; i < width_; ++i) out[i] = 0;
   for (int past = 0; past < kPast; ++past) {

@@ -18,7 +18,8 @@ class WaveletTree {
   WaveletTree(int channels, int N, std::uint64_t seed);
 
   /// The next coefficient of the channels of `group`: channels / kGroups values at out[i], for channel
-  /// group + i * kGroups. `deviation`: (N + 1) x channels, per scale n = 1...N, then the scaling band.
+  /// group + i * kGroups. `deviation` of these: (N + 1) x channels / kGroups, per scale n = 1...N, then the
+  /// scaling band.
   /// Thread: RT.
   void produce(int group, const double* deviation, double* out) noexcept;
 
@@ -26,7 +27,7 @@ class WaveletTree {
 
  private:
   void level(int group, int j, const double* deviation, double* out) noexcept;
-  void draw(int group, int row, const double* deviation, double* out) noexcept;
+  void draw(int row, const double* deviation, double* out) noexcept;
 
   static constexpr int kPast = 4;  // a coefficient of the parent reaches over four pairs
   int channels_, N_, width_;

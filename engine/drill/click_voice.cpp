@@ -15,6 +15,16 @@ constexpr double kMaxAttackGain = 10;
 constexpr double kMaxDecayGain = 31.6;
 constexpr double kSilence = 1e-9;
 
+void add_scaled(double gain, const float* x, double* out, int count) noexcept {
+  int n = 0;
+  for (; n + 3 < count; n += 4) {
+    const dsp::LanePair click = dsp::load_four(x + n);
+    dsp::store(out + n, dsp::load(out + n) + gain * click.low);
+    dsp::store(out + n + 2, dsp::load(out + n + 2) + gain * click.high);
+  }
+  for (; n < count; ++n) out[n] += gain * static_cast<double>(x[n]);
+}
+
 }  // namespace
 
 double ClickVoice::next_ratio() noexcept {
@@ -49,13 +59,10 @@ void ClickVoice::add_to(double* bus) noexcept {
   delay_ -= from;
   const int count = static_cast<int>(std::min<std::ptrdiff_t>(kChunk - from, end_ - position_));
   double* out = bus + from;
-  if (!reshaped_) {
-    int n = 0;
-    for (; n + 1 < count; n += 2) dsp::store(out + n, dsp::load(out + n) + gain_ * dsp::load(position_ + n));
-    if (n < count) out[n] += gain_ * static_cast<double>(position_[n]);
-  } else {
+  if (!reshaped_)
+    add_scaled(gain_, position_, out, count);
+  else
     for (int n = 0; n < count; ++n) out[n] += gain_ * next_ratio() * static_cast<double>(position_[n]);
-  }
   position_ += count;
 }
 

@@ -19,14 +19,22 @@ bool DrillLayer::process(const DrillInput& input, const Impacts& impacts, double
     if (slot.banks.count > 0 && slot.gain.to > 0)
       for (const Impact& impact : impacts) players_[v].strike(slot.banks, impact, slot.controls);
     if (!players_[v].sounds() && tilts_[v].rests()) continue;
-    double bus[kChunk] = {};
-    players_[v].add_to(bus);
-    tilts_[v].process(slot.tilt_db_per_octave, bus);
-    dsp::add_scaled(slot.gain, bus, out, kChunk);
+    const bool plain = slot.gain.rests_at(1) && slot.tilt_db_per_octave == 0 && tilts_[v].rests();
+    if (plain && !sounds)
+      players_[v].add_to(out);
+    else
+      add_voicing(v, slot, out);
     sounds = true;
   }
   rests_ = !sounds;
   return sounds;
+}
+
+void DrillLayer::add_voicing(int v, const Slot& slot, double* out) noexcept {
+  double bus[kChunk] = {};
+  players_[v].add_to(bus);
+  tilts_[v].process(slot.tilt_db_per_octave, bus);
+  dsp::add_scaled(slot.gain, bus, out, kChunk);
 }
 
 void DrillLayer::reset() noexcept {

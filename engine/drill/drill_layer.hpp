@@ -23,6 +23,8 @@ class DrillLayer {
   std::uint64_t lost() const noexcept;
 
  private:
+  void add_voicing(int v, const Slot& slot, double* out) noexcept;
+
   std::array<ClickPlayer, kVoicings> players_;
   std::array<TiltFilter, kVoicings> tilts_;
   bool rests_ = true;  ///< nothing sounds until the next impact

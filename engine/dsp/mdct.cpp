@@ -1,5 +1,6 @@
 #include "rigsound/dsp/mdct.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -75,11 +76,26 @@ void Mdct<T>::analyse(const T* x, T* X) noexcept {
 
 template <class T>
 void Mdct<T>::synthesise(const T* X, T* overlap, T* y) noexcept {
+  transform(X);
+  finish(overlap, y);
+}
+
+template <class T>
+void Mdct<T>::transform(const T* X) noexcept {
+  if (fast_)
+    dct4(X, u_.data());
+  else
+    std::copy_n(X, M_, u_.data());
+}
+
+template <class T>
+void Mdct<T>::finish(T* overlap, T* y) noexcept {
+  const T* u = u_.data();
   if (!fast_) {
     const T* row = matrix_.data();
     for (int k = 0; k < 2 * M_; ++k, row += M_) {
       double sum = 0;
-      for (int q = 0; q < M_; ++q) sum += static_cast<double>(X[q]) * static_cast<double>(row[q]);
+      for (int q = 0; q < M_; ++q) sum += static_cast<double>(u[q]) * static_cast<double>(row[q]);
       if (k < M_)
         y[k] = overlap[k] + static_cast<T>(sum);
       else
@@ -89,8 +105,6 @@ void Mdct<T>::synthesise(const T* X, T* overlap, T* y) noexcept {
   }
   const int H = M_ / 2;
   const T* w = window_.data();
-  T* u = u_.data();
-  dct4(X, u);
   for (int k = 0; k < H; ++k) {
     y[k] = overlap[k] + u[H + k] * w[k];
     y[H + k] = overlap[H + k] - u[M_ - 1 - k] * w[H + k];

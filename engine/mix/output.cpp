@@ -7,18 +7,16 @@
 namespace rigsound::mix {
 namespace {
 
-using Pair = float __attribute__((vector_size(8)));
-
 /// Frames of two channels to the first two of `channels`, or to the only one.
-void spread(const Pair* frames, int channels, float* out) noexcept {
+void spread(const float* frames, int channels, float* out) noexcept {
   if (channels == 2) {
-    std::memcpy(out, frames, kChunk * sizeof *frames);
+    std::memcpy(out, frames, 2 * kChunk * sizeof *frames);
     return;
   }
   for (int n = 0; n < kChunk; ++n, out += channels) {
-    out[0] = frames[n][0];
+    out[0] = frames[2 * n];
     if (channels == 1) continue;
-    out[1] = frames[n][1];
+    out[1] = frames[2 * n + 1];
     std::fill(out + 2, out + channels, 0.0F);
   }
 }
@@ -26,18 +24,19 @@ void spread(const Pair* frames, int channels, float* out) noexcept {
 }  // namespace
 
 void Output::write(const dsp::Lanes* x, const GainCurve& gain, float* out) noexcept {
-  Pair frames[kChunk];
+  float frames[2 * kChunk];
   dsp::Lanes energy{}, most{};
-  const auto take = [&](int n, dsp::Lanes y) {
-    const dsp::Lanes square = y * y;
+  const auto take = [&](int n, dsp::Lanes y, dsp::Lanes z) {
+    const dsp::Lanes square = y * y, next = z * z;
     energy += square;
-    most = dsp::larger(most, square);
-    frames[n] = __builtin_convertvector(y, Pair);
+    energy += next;
+    most = dsp::larger(most, dsp::larger(square, next));
+    dsp::store_floats(frames + 2 * n, dsp::narrowed(y, z));
   };
   if (gain.is_one())
-    for (int n = 0; n < kChunk; ++n) take(n, x[n]);
+    for (int n = 0; n < kChunk; n += 2) take(n, x[n], x[n + 1]);
   else
-    for (int n = 0; n < kChunk; ++n) take(n, gain.at(n) * x[n]);
+    for (int n = 0; n < kChunk; n += 2) take(n, gain.at(n) * x[n], gain.at(n + 1) * x[n + 1]);
   energy_ += energy;
   most_ = dsp::larger(most_, most);
   spread(frames, channels_, out);

@@ -12,6 +12,7 @@ double highest(dsp::Lanes x) noexcept { return std::max(x[0], x[1]); }
 
 double sample_peak(const dsp::Lanes* x) noexcept {
   dsp::Lanes most{};
+#pragma GCC unroll 8
   for (int n = 0; n < kGroup; ++n) most = dsp::larger(most, dsp::magnitude(x[n]));
   return highest(most);
 }

@@ -171,35 +171,87 @@ void run_sections(BarState& state, const BarDrive& drive, double* out) noexcept 
   }
 }
 
-/// N vectors of the paper's sections. Too many for registers, so they live in memory between samples.
+/// The paper's sections in N vectors, too many for registers: between samples they live in memory.
 template <int N>
-void run_paper(BarState& state, const BarDrive& drive, double* out) noexcept {
-  const int frames = drive.frames;
-  const V lambda = everywhere(state.paper.lambda);
-  constexpr int kEntries = N < W ? N : W;
-  Bits entry[kEntries];
-  for (int j = 0; j < kEntries; ++j) entry[j] = load<Bits>(state.entry[kTransversal][j]);
-  double *y_2 = state.paper.y[state.paper.turn], *y_1 = state.paper.y[1 - state.paper.turn];
-  Glue glue(state, drive);
-  Taps taps(state);
-  for (int i = 0; i < frames; ++i, taps.advance()) {
-    const V from = everywhere(taps.T[0][kTransversal]), from_1 = everywhere(taps.T[-1][kTransversal]);
+struct PaperCascade {
+  static constexpr int kEntries = N < W ? N : W;
+
+  explicit PaperCascade(BarState& s)
+      : lambda(everywhere(s.paper.lambda)), y_2(s.paper.y[s.paper.turn]), y_1(s.paper.y[1 - s.paper.turn]) {
+    for (int j = 0; j < kEntries; ++j) entry[j] = load<Bits>(s.entry[kTransversal][j]);
+  }
+
+  V section(V u, V mine_1, V u_1) const { return lambda * (u - mine_1) + u_1; }
+
+  /// One sample: `line` is where it enters. Returns what leaves.
+  double next(const double (*line)[2]) {
+    const V from = everywhere(line[0][kTransversal]), from_1 = everywhere(line[-1][kTransversal]);
     V u = shifted(load<V>(&y_1[W * (N - 1)])), u_1 = shifted(load<V>(&y_2[W * (N - 1)])), y{};
 #pragma GCC unroll 32
     for (int j = 0; j < N; ++j) {
       if (j < kEntries) u = entered(u, from, entry[j]), u_1 = entered(u_1, from_1, entry[j]);
       const V mine_1 = load<V>(&y_1[W * j]), mine_2 = load<V>(&y_2[W * j]);
-      y = lambda * (u - mine_1) + u_1;
+      y = section(u, mine_1, u_1);
       store(&y_2[W * j], y);
       u = mine_1, u_1 = mine_2;
     }
     double* const newest = y_2;
     y_2 = y_1;
     y_1 = newest;
-    out[i] = glue.close(i, V2{y[W - 1], (*taps.L)[kLongitudinal]}, taps.now);
+    return y[W - 1];
   }
-  state.paper.turn = (state.paper.turn + frames) % 2;
-  glue.keep(state, frames);
+
+  /// Two samples at once: half the loads, and no store to wait for between them. Both have to be in the line.
+  /// With two lanes there are too many vectors for that to help.
+  V2 next_two(const double (*line)[2]) {
+    constexpr int kLast = W * (N - 1);
+    const V from_0 = everywhere(line[-1][kTransversal]), from_1 = everywhere(line[0][kTransversal]),
+            from_2 = everywhere(line[1][kTransversal]);
+    // Into the first vector the second sample comes from the last one's first.
+    const V last = section(load<V>(&y_1[kLast - W]), load<V>(&y_1[kLast]), load<V>(&y_2[kLast - W]));
+    V u_0 = shifted(load<V>(&y_2[kLast])), u_1 = shifted(load<V>(&y_1[kLast])), u_2 = shifted(last);
+    V first{}, second{};
+#pragma GCC unroll 32
+    for (int j = 0; j < N; ++j) {
+      if (j < kEntries) {
+        u_0 = entered(u_0, from_0, entry[j]), u_1 = entered(u_1, from_1, entry[j]);
+        u_2 = entered(u_2, from_2, entry[j]);
+      }
+      const V mine_1 = load<V>(&y_1[W * j]), mine_2 = load<V>(&y_2[W * j]);
+      first = j == N - 1 ? last : section(u_1, mine_1, u_0);
+      second = section(u_2, first, u_1);
+      store(&y_2[W * j], first);
+      store(&y_1[W * j], second);
+      u_0 = mine_2, u_1 = mine_1, u_2 = first;
+    }
+    return V2{first[W - 1], second[W - 1]};
+  }
+
+  V lambda;
+  Bits entry[kEntries];
+  double *y_2, *y_1;  ///< outputs of the sample before last, and of the last
+};
+
+template <int N>
+void run_paper(BarState& state, const BarDrive& drive, double* out) noexcept {
+  PaperCascade<N> cascade(state);
+  Glue glue(state, drive);
+  Taps taps(state);
+  const auto close = [&](int i, double v) {
+    out[i] = glue.close(i, V2{v, (*taps.L)[kLongitudinal]}, taps.now);
+    taps.advance();
+  };
+  int i = 0;
+  if constexpr (W == 4 && N > W)
+    if (state.delay[kTransversal] >= 2)
+      for (; i + 1 < drive.frames; i += 2) {
+        const V2 two = cascade.next_two(taps.T);
+        close(i, two[0]);
+        close(i + 1, two[1]);
+      }
+  for (; i < drive.frames; ++i) close(i, cascade.next(taps.T));
+  state.paper.turn = cascade.y_2 == state.paper.y[0] ? 0 : 1;
+  glue.keep(state, drive.frames);
 }
 
 template <int... N>

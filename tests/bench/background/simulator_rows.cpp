@@ -114,7 +114,7 @@ double order_error(const DieselModel& model, double rpm) {
   const CycleBlock block = cycles_of(s, s.x, 0, model.angle_samples);
   const int last = static_cast<int>(2400 / s.f0());
   const Orders truth = orders_of(block, 0, block.cycles, last);
-  const diesel::SourcePoint source = diesel::source_at(model, rpm, 0);
+  const diesel::SourcePoint source = diesel::SourceMap(model).at(rpm, 0);
   double sum = 0;
   int count = 0;
   for (int k = 1; k <= last; ++k) {

@@ -1,6 +1,6 @@
 // Cost of the ringing bar in nanoseconds a sample, the layer as the daemon runs it: the least of many short
-// runs, every contestant in turn, so that what else the machine does hits all alike. The last rows are a
-// ratio of one run: the paper's own model here and in Faust (-vec, -O3).
+// runs, every contestant in turn, so that what else the machine does hits all alike. The last rows are
+// ratios of one run: the paper's own model here, in Faust (-vec, -O3) and on the Synthesis ToolKit (-O3).
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -20,6 +20,9 @@
 #ifdef RIGSOUND_FAUST
 #include "bench/faust/faust_runner.hpp"
 #endif
+#ifdef RIGSOUND_STK
+#include "bench/stk/stk_runner.hpp"
+#endif
 
 namespace rigsound::bench {
 namespace {
@@ -29,9 +32,12 @@ using namespace tool;
 constexpr double kRate = 48000;
 constexpr int kRounds = 3000, kChunksARound = 180, kChunksABlow = 60;
 
+enum class Whose { kLayer, kLoops, kOther };
+
 struct Contestant {
   std::string name;
-  double wanted_ns;
+  Whose whose;
+  double wanted_ns, wanted_ratio;  ///< of a layer; how much dearer another program shall be than our loops
   std::function<void(int chunk)> run;
   double best_ns = 1e9;
 };
@@ -47,7 +53,7 @@ std::array<double, kChunk> filled(double value) {
 /// The whole layer, struck every 40 ms.
 Contestant layer(const std::string& name, double wanted_ns, const ToolModel& model, LaneWidth width) {
   auto tool = std::make_shared<ToolLayer>(model, kRate, 1, 0, width);
-  return {name, wanted_ns, [tool](int chunk) {
+  return {name, Whose::kLayer, wanted_ns, 0, [tool](int chunk) {
             double out[kChunk];
             const Impact blow{3.25, 1, static_cast<std::uint64_t>(chunk)};
             tool->process(ToolInput{}, {&blow, chunk % kChunksABlow == 0}, out);
@@ -58,7 +64,7 @@ Contestant layer(const std::string& name, double wanted_ns, const ToolModel& mod
 /// The loops alone, excitation and reflections ready made: what the Faust program does.
 Contestant loops(const std::string& name, const ToolModel& model, LaneWidth width) {
   auto bar = std::make_shared<BarLoops>(design_tool(model, kRate), 800, width);
-  return {name, 0, [bar](int chunk) {
+  return {name, Whose::kLoops, 0, 0, [bar](int chunk) {
             static const std::array<double, kChunk> silence{}, k_T = filled(0.89), k_L = filled(0.94),
                                                                mix = filled(0.5);
             static const std::array<double, kChunk> blow = [] {
@@ -109,7 +115,10 @@ std::vector<Contestant> contestants() {
     all.push_back(loops("paper's model M=40, AVX2", paper_model(), LaneWidth::kFour));
   }
 #ifdef RIGSOUND_FAUST
-  all.push_back({"paper's model M=40 in Faust, -vec -O3", 0, [](int) { sink += run_faust_paper_tool(); }});
+  all.push_back({"Faust, -vec -O3", Whose::kOther, 0, 6, [](int) { sink += run_faust_paper_tool(); }});
+#endif
+#ifdef RIGSOUND_STK
+  all.push_back({"STK, -O3", Whose::kOther, 0, 18, [](int) { sink += run_stk_paper_tool(); }});
 #endif
   return all;
 }
@@ -124,21 +133,30 @@ void race(std::vector<Contestant>& all) {
     }
 }
 
+void print_ratios(const std::vector<Contestant>& all, const Contestant& other) {
+  for (const Contestant& one : all)
+    if (one.whose == Whose::kLoops)
+      print({one.name + " against " + other.name, Bound::kAtLeast, other.wanted_ratio,
+             other.best_ns / one.best_ns, "times"});
+}
+
 }  // namespace
 
 void print_cost() {
   std::vector<Contestant> all = contestants();
   race(all);
   for (const Contestant& one : all)
-    if (one.wanted_ns > 0) print({one.name, Bound::kAtMost, one.wanted_ns, one.best_ns, "ns a sample"});
+    if (one.whose == Whose::kLayer)
+      print({one.name, Bound::kAtMost, one.wanted_ns, one.best_ns, "ns a sample"});
+    else
+      std::printf("%-66s | %8.2f ns a sample\n", one.name.c_str(), one.best_ns);
   for (const Contestant& one : all)
-    if (one.wanted_ns == 0) std::printf("%-66s | %8.2f ns a sample\n", one.name.c_str(), one.best_ns);
-#ifdef RIGSOUND_FAUST
-  for (const Contestant& one : all)
-    if (one.wanted_ns == 0 && &one != &all.back())
-      print({one.name + " against Faust", Bound::kAtLeast, 5, all.back().best_ns / one.best_ns, "times"});
-#else
+    if (one.whose == Whose::kOther) print_ratios(all, one);
+#ifndef RIGSOUND_FAUST
   std::puts("SKIPPED: tool_bench: ratio to Faust: no faust compiler");
+#endif
+#ifndef RIGSOUND_STK
+  std::puts("SKIPPED: tool_bench: ratio to STK: no libstk-dev");
 #endif
   if (sink == 0.123) std::puts("");  // never, but the compiler cannot know
 }

@@ -19,7 +19,8 @@ class FileSink : public Sink {
   struct Format : SoundFormat {
     int block = 64;  ///< frames
   };
-  /// Called with the bytes of each block in the format's samples, as a WAV file has them in its data chunk.
+  /// Called with the bytes of one or more blocks in the format's samples, as a WAV file has them in its data
+  /// chunk.
   using Tap = std::function<void(const void* bytes, std::size_t size)>;
 
   /// Errors: DeviceError when the file cannot be written.
@@ -35,11 +36,14 @@ class FileSink : public Sink {
   std::uint64_t clipped() const { return writer_.clipped(); }
 
  private:
-  void append();
+  void advance();
+  void write_held();
 
   Format format_;
   Tap tap_;
-  std::vector<unsigned char> bytes_;  ///< one block
+  std::size_t block_bytes_;
+  std::vector<unsigned char> bytes_;  ///< whole blocks, written at once
+  std::size_t held_ = 0;              ///< bytes that wait for it
   AtomicFile file_;
   SoundWriter writer_;
 };

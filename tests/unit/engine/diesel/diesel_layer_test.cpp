@@ -191,9 +191,10 @@ TEST_CASE("a wavelet tree with equal deviations is white, each scale brings its 
   constexpr int kChannels = 64, kFrames = 4096;
   for (int N : {1, 2, 3}) {
     for (int scale = 0; scale <= N + 1; ++scale) {  // N + 1: all of them
-      std::vector<double> deviation(static_cast<std::size_t>((N + 1) * kChannels), 0.0);
+      constexpr int kWidth = kChannels / WaveletTree::kGroups;
+      std::vector<double> deviation(static_cast<std::size_t>((N + 1) * kWidth), 0.0);
       for (std::size_t i = 0; i < deviation.size(); ++i)
-        deviation[i] = scale == N + 1 || static_cast<int>(i) / kChannels == scale;
+        deviation[i] = scale == N + 1 || static_cast<int>(i) / kWidth == scale;
       WaveletTree tree(kChannels, N, 5);
       double energy = 0, neighbour = 0;
       std::vector<double> last(kChannels, 0.0), now(kChannels);

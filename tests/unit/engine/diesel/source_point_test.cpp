@@ -87,15 +87,15 @@ TEST_CASE("between points levels join geometrically over the octave and over the
     for (const double rpm : {1000.0, 1300.0, 1900.0, 2000.0}) {
       CAPTURE(load);
       CAPTURE(rpm);
-      const SourcePoint s = source_at(m, rpm, load);
+      const SourcePoint s = SourceMap(m).at(rpm, load);
       CHECK(level(s) == doctest::Approx(0.01 * (rpm / 1000) * std::pow(4, load)).epsilon(1e-5));
       CHECK(std::exp(s.hi[3]) == doctest::Approx(0.2 * std::pow(2, load)).epsilon(1e-5));
       CHECK(std::exp(s.lo[3]) == doctest::Approx(0.2 * std::pow(2, load)).epsilon(1e-5));
     }
-  CHECK(level(source_at(m, 500, 0)) == doctest::Approx(0.01).epsilon(1e-5));  // held outside
-  CHECK(level(source_at(m, 4000, 0)) == doctest::Approx(0.02).epsilon(1e-5));
-  CHECK(level(source_at(m, 1000, -1)) == doctest::Approx(0.01).epsilon(1e-5));
-  CHECK(level(source_at(m, 1000, 2)) == doctest::Approx(0.04).epsilon(1e-5));
+  CHECK(level(SourceMap(m).at(500, 0)) == doctest::Approx(0.01).epsilon(1e-5));  // held outside
+  CHECK(level(SourceMap(m).at(4000, 0)) == doctest::Approx(0.02).epsilon(1e-5));
+  CHECK(level(SourceMap(m).at(1000, -1)) == doctest::Approx(0.01).epsilon(1e-5));
+  CHECK(level(SourceMap(m).at(1000, 2)) == doctest::Approx(0.04).epsilon(1e-5));
 }
 
 TEST_CASE(

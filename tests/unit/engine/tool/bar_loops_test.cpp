@@ -22,28 +22,18 @@ namespace {
 
 const std::vector<Bar> kBars = {{0.30, 0.030}, {0.30, 0.050}, {0.50, 0.025}, {0.70, 0.030}};
 
-/// The loop as the design says it, one section after the other, no skew, no vectors.
-std::vector<double> sequential_response(const LoopDesign& loop, double k, int samples) {
-  SectionLanes lanes{};
-  int stages = 0;
-  for (; stages < loop.allpass.sections; ++stages)
-    set_section(lanes, stages, loop.allpass.section[static_cast<std::size_t>(stages)].b,
-                loop.allpass.section[static_cast<std::size_t>(stages)].c);
-  if (loop.allpass.first_orders) set_section(lanes, stages++, loop.allpass.a, 0);
+/// The loop as the design says it, no skew, no vectors; `cascade`: its sections, for a sample.
+template <class Cascade>
+std::vector<double> looped(const LoopDesign& loop, double sign, double k, int samples, Cascade&& cascade) {
   const LoopFilters& f = loop.filters;
-  const double R = (1 - f.dc) / (1 + f.dc), gain = (loop.allpass.first_orders ? -1 : 1) * dc_gain(R);
+  const double R = (1 - f.dc) / (1 + f.dc), gain = sign * dc_gain(R);
   const double s0 = gain * ((f.shelf + f.shelf_gain) / (f.shelf + 1)),
                s1 = gain * ((f.shelf - f.shelf_gain) / (f.shelf + 1)), q = (1 - f.shelf) / (1 + f.shelf);
   double dc = 0, shelf = 0;
   std::vector<double> y;
   for (int n = 0; n < samples; ++n) {
-    double v = n >= loop.delay_samples ? y[static_cast<std::size_t>(n - loop.delay_samples)] : 0;
-    for (int i = 0; i < stages; ++i) {
-      const double half = lanes.g0[i] * lanes.x1[i] - lanes.g1[i] * lanes.x2[i], m = half + lanes.g2[i] * v;
-      v = lanes.c0[i] * v - lanes.h[i] * half;
-      lanes.x1[i] = m - lanes.x1[i];
-      lanes.x2[i] = lanes.x2[i] + m;
-    }
+    const double v =
+        cascade(n >= loop.delay_samples ? y[static_cast<std::size_t>(n - loop.delay_samples)] : 0);
     const double b = v + dc;
     dc = R * b - v;
     const double w = s0 * b + shelf;
@@ -51,6 +41,41 @@ std::vector<double> sequential_response(const LoopDesign& loop, double k, int sa
     y.push_back((n == 0 ? 1.0 : 0.0) + k * w);
   }
   return y;
+}
+
+/// One section after the other.
+std::vector<double> sequential_response(const LoopDesign& loop, double k, int samples) {
+  SectionLanes lanes{};
+  int stages = 0;
+  for (; stages < loop.allpass.sections; ++stages)
+    set_section(lanes, stages, loop.allpass.section[static_cast<std::size_t>(stages)].b,
+                loop.allpass.section[static_cast<std::size_t>(stages)].c);
+  if (loop.allpass.first_orders) set_section(lanes, stages++, loop.allpass.a, 0);
+  return looped(loop, loop.allpass.first_orders ? -1 : 1, k, samples, [&](double v) {
+    for (int i = 0; i < stages; ++i) {
+      const double half = lanes.g0[i] * lanes.x1[i] - lanes.g1[i] * lanes.x2[i], m = half + lanes.g2[i] * v;
+      v = lanes.c0[i] * v - lanes.h[i] * half;
+      lanes.x1[i] = m - lanes.x1[i];
+      lanes.x2[i] = lanes.x2[i] + m;
+    }
+    return v;
+  });
+}
+
+/// The same of the paper's sections (eq. 5).
+std::vector<double> sequential_paper_response(const LoopDesign& loop, double k, int samples) {
+  const double lambda = (loop.allpass.a - 1) / (loop.allpass.a + 1);
+  std::vector<double> before(static_cast<std::size_t>(loop.allpass.first_orders) +
+                             1);  // of each, and what enters
+  return looped(loop, 1, k, samples, [&](double v) {
+    for (std::size_t i = 0; i + 1 < before.size(); ++i) {
+      const double y = lambda * (v - before[i + 1]) + before[i];
+      before[i] = v;
+      v = y;
+    }
+    before.back() = v;
+    return v;
+  });
 }
 
 }  // namespace
@@ -106,6 +131,21 @@ TEST_CASE("skewed lanes give the bits of the sections one after another, at eith
         if (widest_lanes() == LaneWidth::kFour)
           CHECK(impulse_response(design, family, 0.87, 4096, LaneWidth::kFour) == reference);
       }
+    }
+}
+
+TEST_CASE("the paper's sections in vectors give the bits of one after another, at either width") {
+  for (const int M : {2, 5, 9, 23, 40, 64})
+    for (const int delay : {M, M + 1, M + 2, M + 17}) {
+      ToolModel model;
+      model.kind = ToolKind::kPaper;
+      model.paper.M = M, model.paper.N_T = delay;
+      const ToolDesign design = design_tool(model, 48000);
+      const auto reference = sequential_paper_response(design.transversal, 0.87, 1024);
+      CAPTURE(M);
+      CAPTURE(delay);
+      for (const LaneWidth width : {LaneWidth::kTwo, widest_lanes()})
+        CHECK(impulse_response(design, kTransversal, 0.87, 1024, width) == reference);
     }
 }
 

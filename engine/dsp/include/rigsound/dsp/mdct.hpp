@@ -25,6 +25,11 @@ class Mdct {
   /// hop that began one call earlier. Thread: RT.
   void synthesise(const T* X, T* overlap, T* y) noexcept;
 
+  /// The same in two steps, for who would rather pay for them at different times: nothing else is asked of
+  /// this Mdct in between. Thread: RT.
+  void transform(const T* X) noexcept;
+  void finish(T* overlap, T* y) noexcept;
+
  private:
   void dct4(const T* x, T* u) noexcept;  // also in place
 

@@ -25,7 +25,10 @@ struct Ramp {
 template <class Sample>
 void scale(const Ramp& ramp, Sample* x, int count) noexcept {
   const double step = (ramp.to - ramp.from) / count;
-  for (int n = 0; n < count; ++n) x[n] *= ramp.from + step * (n + 1);
+  if (step == 0)
+    for (int n = 0; n < count; ++n) x[n] *= ramp.from;
+  else
+    for (int n = 0; n < count; ++n) x[n] *= ramp.from + step * (n + 1);
 }
 
 /// y[n] += ramp times x[n], numbers of either size, `count` even. Thread: RT.
