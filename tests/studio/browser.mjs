@@ -10,6 +10,8 @@ const kChromium = ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find(exists
 const kFlags = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
   '--disable-component-update', '--disable-sync', '--autoplay-policy=no-user-gesture-required'];
 
+const kPatience_ms = 180000;
+
 let browser = null;
 
 // Every audio node that a page makes, so that a test can listen at it. Runs before the page's own script.
@@ -31,6 +33,8 @@ export const openPage = async (address, { at = '', dark = false, width = 1280, h
   browser ??= await modules('playwright-core').chromium.launch({ executablePath: kChromium, args: kFlags });
   const context = await browser.newContext({ viewport: { width: Math.round(width / zoom), height: Math.round(height / zoom) }, deviceScaleFactor: zoom,
     colorScheme: dark ? 'dark' : 'light', acceptDownloads: true });
+  // No test waits for less than what a busy machine may need.
+  context.setDefaultTimeout(kPatience_ms);
   const page = await context.newPage(), problems = [];
   page.on('console', (message) => { if (message.type() === 'error') problems.push(message.text()); });
   page.on('pageerror', (error) => problems.push(String(error)));
