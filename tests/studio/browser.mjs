@@ -8,7 +8,8 @@ import { output, packages } from './places.mjs';
 const modules = createRequire(join(packages, 'package.json'));
 const kChromium = ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync);
 const kFlags = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
-  '--disable-component-update', '--disable-sync', '--autoplay-policy=no-user-gesture-required'];
+  // A name that leads to this machine, as a page that wants to reach it would have.
+  '--host-resolver-rules=MAP rebound.invalid 127.0.0.1', '--disable-component-update', '--disable-sync', '--autoplay-policy=no-user-gesture-required'];
 
 const kPatience_ms = 180000;
 
@@ -20,7 +21,7 @@ const keepNodes = () => {
   window.heard = { nodes: [], sources: [] };
   const keep = (list, node) => { if (node.context instanceof AudioContext) list.push(node); };
   window.AudioWorkletNode = class extends Node {
-    constructor(...words) { super(...words); keep(window.heard.nodes, this); }
+    constructor(...words) { super(...words); keep(window.heard.nodes, this); this.madeWith = words[2]?.processorOptions; }
   };
   const Source = window.AudioBufferSourceNode;
   window.AudioBufferSourceNode = class extends Source {
