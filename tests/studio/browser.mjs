@@ -66,6 +66,16 @@ export const complaints = async (page) => {
     .flatMap(({ id, nodes }) => nodes.map((node) => `${id}: ${node.target.join(' ')}: ${node.failureSummary.split('\n')[1] ?? ''}`));
 };
 
+/** What `find` gives once it is true of it; a busy machine has all the time that it needs. */
+export const until = async (what, find) => {
+  for (const end = Date.now() + kPatience_ms; ;) {
+    const found = await find();
+    if (found) return found;
+    if (Date.now() > end) throw new Error(`${what} within ${kPatience_ms / 1000} s`);
+    await new Promise((done) => setTimeout(done, 50));
+  }
+};
+
 /** Root mean square of `seconds` of what the newest engine of the page plays. */
 export const loudness = (page, seconds = 0.4) => page.evaluate(async (length) => {
   const node = window.heard.nodes.at(-1), analyser = node.context.createAnalyser();
@@ -81,3 +91,9 @@ export const loudness = (page, seconds = 0.4) => page.evaluate(async (length) =>
   node.disconnect(analyser);
   return Math.sqrt(square / count);
 }, seconds);
+
+/** The loudness of the newest engine once it is as `fits` wants it. */
+export const loudnessThat = (page, fits) => until('no such loudness', async () => {
+  const found = await loudness(page);
+  return fits(found) && found;
+});
