@@ -8,10 +8,20 @@ import subprocess
 import sys
 import time
 import unittest
+import zlib
 
 from studio_case import PATIENCE_S, StudioCase, write_recording
 
 RIGSOUND = sys.argv[1]
+
+
+def bytes_of_text(text):
+    """The inverse of page_text(): seven bits a letter."""
+    bits = ''
+    for letter in map(ord, text):
+        which = (letter - 0x100) // 128
+        bits += f'{letter:07b}' if letter < 0x80 else f'{(0, 13, 60)[which % 3]:07b}' + (f'{letter % 128:07b}' if which < 3 else '')
+    return bytes(int(bits[n:n + 8], 2) for n in range(0, len(bits) // 8 * 8, 8))
 
 
 class Analyses(StudioCase):
@@ -165,14 +175,22 @@ class SoundSet(StudioCase):
 
     def test_export_is_one_file(self):
         (self.pages / 'engine.wasm').write_bytes(b'\0asm')
-        (self.pages / 'export.html').write_text('<a>RIGSOUND_RIG_JSON</a><b>RIGSOUND_RIGSET_BASE64</b><i>RIGSOUND_ENGINE_BASE64</i>')
+        (self.pages / 'export.html').write_text('<a>RIGSOUND_RIG_JSON</a><b>RIGSOUND_RIGSET</b><i>RIGSOUND_ENGINE</i>')
         page = self.folder / 'page.html'
         result = subprocess.run([RIGSOUND, 'studio', self.sound_set, '--pages', self.pages, '--export', page], capture_output=True, text=True)
         self.assertEqual((result.returncode, result.stderr), (0, ''))
-        text = page.read_text()
-        self.assertIn('<b>UklHU0VU', text)  # RIGSET
-        self.assertIn('<i>AGFzbQ==</i>', text)
+        text = page.read_bytes().decode()
         self.assertNotIn('RIGSOUND_', text)
+        self.assertFalse(set('\0\r') & set(text))
+        self.assertEqual(zlib.decompress(bytes_of_text(text[text.index('<i>') + 3:text.index('</i>')])), b'\0asm')
+        planes = zlib.decompress(bytes_of_text(text[text.index('<b>') + 3:text.index('</b>')]))
+        size = len(planes) // 4
+        packed = bytearray(planes)
+        for plane in range(4):
+            packed[plane:4 * size:4] = planes[plane * size:(plane + 1) * size]
+        (self.folder / 'out.rigset').write_bytes(packed)
+        result = subprocess.run([RIGSOUND, 'unpack', self.folder / 'out.rigset', self.folder / 'unpacked'], capture_output=True, text=True)
+        self.assertEqual((result.returncode, result.stderr), (0, ''))
 
 
     def test_a_steel_is_tuned_and_saved(self):

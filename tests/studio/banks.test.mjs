@@ -1,7 +1,7 @@
 // Compare and Refine: switching keeps the place, a refinement is heard from the engine and saved by its version.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { closeBrowser, complaints, loudness, openPage, photograph } from './browser.mjs';
+import { closeBrowser, complaints, loudnessThat, openPage, photograph, until } from './browser.mjs';
 import * as documents from './documents.mjs';
 import { fakeServer } from './fake_server.mjs';
 import { pages } from './places.mjs';
@@ -49,9 +49,12 @@ test('switching is without a gap and at the same place', async () => {
   });
   await page.getByRole('button', { name: 'Stop' }).click();
   await page.getByRole('button', { name: 'Play', exact: true }).click();
-  await page.waitForTimeout(500);
   await page.locator('main').focus();
-  for (const key of ['d', 's', 'r', 's']) { await page.keyboard.press(key); await page.waitForTimeout(200); }
+  for (const key of ['r', 'd', 's', 'r', 's', '']) {
+    const length = await page.evaluate(() => window.captured.length);
+    await page.waitForFunction((from) => window.captured.length > from + 9600, length);
+    if (key) await page.keyboard.press(key);
+  }
   const { starts, samples } = await page.evaluate(() => {
     const sources = window.heard.sources.slice(-3);
     return { starts: sources.map(({ loopStart, loopEnd, loop }) => [loopStart, loopEnd, loop].join()), samples: window.captured };
@@ -78,12 +81,9 @@ test('a refinement is heard at once', async () => {
   await page.evaluate(() => { location.hash = '#/refine'; });
   await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
   await page.getByRole('button', { name: 'Play', exact: true }).click();
-  await page.waitForTimeout(700);
-  const before_ = await loudness(page);
+  const before_ = await loudnessThat(page, (found) => found > 1e-3);
   await page.getByRole('slider', { name: 'Level trim' }).fill('-24');
-  await page.waitForTimeout(700);
-  const after_ = await loudness(page);
-  assert.ok(before_ > 1e-3 && Math.abs(20 * Math.log10(after_ / before_) + 24) < 3, `${before_} ${after_}`);
+  await loudnessThat(page, (found) => Math.abs(20 * Math.log10(found / before_) + 24) < 3);
   await photograph(page, 'refine');
 });
 
@@ -92,8 +92,7 @@ test('it is undone, saved by its version, and set back', async () => {
   await page.keyboard.press('Control+z');
   await page.getByRole('slider', { name: 'Decay' }).fill('1.5');
   await page.getByRole('checkbox', { name: 'Click 2' }).uncheck();
-  await page.waitForTimeout(300);
-  assert.ok(server.asked.some(({ query }) => query.includes('clicks=0,2,3,4,5') || query.includes('clicks=0%2C2')));
+  await until('not asked for the clicks that are left', () => server.asked.some(({ query }) => query.includes('clicks=0,2,3,4,5') || query.includes('clicks=0%2C2')));
   await page.keyboard.press('Control+s');
   await page.getByText('Saved.').waitFor();
   const { version, controls, dropped, trim_db } = written();

@@ -8,7 +8,10 @@ import { output, packages } from './places.mjs';
 const modules = createRequire(join(packages, 'package.json'));
 const kChromium = ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync);
 const kFlags = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
-  '--disable-component-update', '--disable-sync', '--autoplay-policy=no-user-gesture-required'];
+  // A name that leads to this machine, as a page that wants to reach it would have.
+  '--host-resolver-rules=MAP rebound.invalid 127.0.0.1', '--disable-component-update', '--disable-sync', '--autoplay-policy=no-user-gesture-required'];
+
+const kPatience_ms = 180000;
 
 let browser = null;
 
@@ -18,7 +21,7 @@ const keepNodes = () => {
   window.heard = { nodes: [], sources: [] };
   const keep = (list, node) => { if (node.context instanceof AudioContext) list.push(node); };
   window.AudioWorkletNode = class extends Node {
-    constructor(...words) { super(...words); keep(window.heard.nodes, this); }
+    constructor(...words) { super(...words); keep(window.heard.nodes, this); this.madeWith = words[2]?.processorOptions; }
   };
   const Source = window.AudioBufferSourceNode;
   window.AudioBufferSourceNode = class extends Source {
@@ -31,6 +34,8 @@ export const openPage = async (address, { at = '', dark = false, width = 1280, h
   browser ??= await modules('playwright-core').chromium.launch({ executablePath: kChromium, args: kFlags });
   const context = await browser.newContext({ viewport: { width: Math.round(width / zoom), height: Math.round(height / zoom) }, deviceScaleFactor: zoom,
     colorScheme: dark ? 'dark' : 'light', acceptDownloads: true });
+  // No test waits for less than what a busy machine may need.
+  context.setDefaultTimeout(kPatience_ms);
   const page = await context.newPage(), problems = [];
   page.on('console', (message) => { if (message.type() === 'error') problems.push(message.text()); });
   page.on('pageerror', (error) => problems.push(String(error)));
@@ -61,6 +66,16 @@ export const complaints = async (page) => {
     .flatMap(({ id, nodes }) => nodes.map((node) => `${id}: ${node.target.join(' ')}: ${node.failureSummary.split('\n')[1] ?? ''}`));
 };
 
+/** What `find` gives once it is true of it; a busy machine has all the time that it needs. */
+export const until = async (what, find) => {
+  for (const end = Date.now() + kPatience_ms; ;) {
+    const found = await find();
+    if (found) return found;
+    if (Date.now() > end) throw new Error(`${what} within ${kPatience_ms / 1000} s`);
+    await new Promise((done) => setTimeout(done, 50));
+  }
+};
+
 /** Root mean square of `seconds` of what the newest engine of the page plays. */
 export const loudness = (page, seconds = 0.4) => page.evaluate(async (length) => {
   const node = window.heard.nodes.at(-1), analyser = node.context.createAnalyser();
@@ -76,3 +91,9 @@ export const loudness = (page, seconds = 0.4) => page.evaluate(async (length) =>
   node.disconnect(analyser);
   return Math.sqrt(square / count);
 }, seconds);
+
+/** The loudness of the newest engine once it is as `fits` wants it. */
+export const loudnessThat = (page, fits) => until('no such loudness', async () => {
+  const found = await loudness(page);
+  return fits(found) && found;
+});

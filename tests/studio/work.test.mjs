@@ -1,7 +1,7 @@
 // Analyse and Live: what is sent, what is shown, and what stands there when something is missing.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { closeBrowser, complaints, openPage, photograph } from './browser.mjs';
+import { closeBrowser, complaints, openPage, photograph, until } from './browser.mjs';
 import * as documents from './documents.mjs';
 import { fakeServer } from './fake_server.mjs';
 import { pages } from './places.mjs';
@@ -57,12 +57,12 @@ test('Live: signals with ages, changes as they come, controls go out', async () 
   await page.locator('.situation').getByText('Overfeed').waitFor();
   await page.getByText('1620 r/min').waitFor();
   await page.getByRole('slider', { name: 'Decay' }).fill('2');
-  await page.waitForTimeout(200);
-  assert.deepEqual(server.asked.filter(({ path, body }) => path === '/live' && body.includes('"set"')).map(({ body }) => JSON.parse(body)).at(-1), { command: 'set', key: 'boom1.decay_factor', value: 2 });
+  const sets = () => server.asked.filter(({ path, body }) => path === '/live' && body.includes('"set"'));
+  await until('nothing set', () => sets().length > 0);
+  assert.deepEqual(JSON.parse(sets().at(-1).body), { command: 'set', key: 'boom1.decay_factor', value: 2 });
   await page.locator('main').focus();
   await page.keyboard.press('m');
-  await page.waitForTimeout(200);
-  assert.ok(server.asked.some(({ body }) => body === '{"command":"mute","on":true}'));
+  await until('not muted', () => server.asked.some(({ body }) => body === '{"command":"mute","on":true}'));
   await photograph(page, 'live');
   tellLive({ event: 'gone', error: 'the socket was closed' });
   await page.getByText('The daemon is gone').waitFor();

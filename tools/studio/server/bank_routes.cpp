@@ -2,7 +2,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "rigsound/analysis/rate.hpp"
+#include "bank_sounds.hpp"
 #include "rigsound/analysis/resynth.hpp"
 #include "rigsound/analysis/wave_file.hpp"
 #include "rigsound/config/refinement.hpp"
@@ -16,9 +16,7 @@ using analysis::Curve, analysis::RecordedSide;
 
 namespace {
 
-constexpr double kMostHeard_s = 60, kSynthesis_s = 4;
-constexpr std::uint64_t kSynthesisSeed = 1;  // that of report.html
-constexpr int kRate = static_cast<int>(analysis::kAnalysisRate);
+constexpr double kMostHeard_s = 60;
 
 /// Infinite and undefined ones have no number in JSON.
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
@@ -136,36 +134,9 @@ Json bank_json(Workplace& place, const std::string& name) {
       {"refinement", refinement}};
 }
 
-Answer wave_answer(const std::vector<float>& sound, int rate) {
-  Answer answer;
-  answer.type = "audio/wav";
-  answer.body = analysis::wave_bytes(sound, rate);
-  return answer;
-}
-
-/// Recorded, denoised and synthesised have one length and one start: what is switched between goes on where
-/// it was.
 Answer sound(Workplace& place, const std::string& name, const std::string& which) {
-  const fs::path folder = bank_folder(place, name);
-  const config::StoredBank played = config::load_bank(folder);
-  const std::size_t most = static_cast<std::size_t>(kMostHeard_s * kRate);
-  std::shared_ptr<const RecordedSide> side;
-  try {
-    side = place.comparisons.of(played);
-  } catch (const ApiError&) {
-    if (which != "synthesised") throw;
-  }
-  const auto beginning = [&](const std::vector<float>& x) {
-    return wave_answer({x.begin(), x.begin() + static_cast<long>(std::min(most, x.size()))}, kRate);
-  };
-  if (which == "recorded") return beginning(side->recorded);
-  if (which == "denoised") return beginning(side->denoised);
-  if (which != "synthesised") throw ApiError(404, "expected recorded, denoised or synthesised");
-  const double seconds =
-      side ? static_cast<double>(std::min(most, side->recorded.size())) / kRate : kSynthesis_s;
-  std::vector<float> synthesis = analysis::resynthesise(played.bank, seconds, kSynthesisSeed).sound;
-  if (side && played.bank.sample_rate == kRate) synthesis.resize(std::min(most, side->recorded.size()));
-  return wave_answer(synthesis, static_cast<int>(std::lround(played.bank.sample_rate)));
+  const BankSound found = bank_sound(place, name, which, kMostHeard_s);
+  return wave_answer(analysis::wave_bytes(found.samples, found.rate));
 }
 
 Answer click(const Workplace& place, const std::string& name, const std::string& index) {
@@ -177,7 +148,7 @@ Answer click(const Workplace& place, const std::string& name, const std::string&
     float peak = 0;
     for (const float value : x) peak = std::max(peak, std::fabs(value));
     for (float& value : x) value *= peak > 0 ? kPeak / peak : 0;
-    return wave_answer(x, static_cast<int>(std::lround(bank.sample_rate)));
+    return wave_answer(analysis::wave_bytes(x, static_cast<int>(std::lround(bank.sample_rate))));
   }
   throw ApiError(404, "there is no such click");
 }

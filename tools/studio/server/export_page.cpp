@@ -1,8 +1,8 @@
 #include <array>
 
 #include "packed_rig.hpp"
+#include "page_text.hpp"
 #include "pages.hpp"
-#include "rigsound/analysis/data_uri.hpp"
 #include "rigsound/file/atomic_file.hpp"
 #include "rigsound/file/input_file.hpp"
 #include "rigsound/machine/input_error.hpp"
@@ -23,11 +23,6 @@ std::string content(const fs::path& file, const char* kind) {
   return InputFile(file, kind, kMostPieceBytes).content();
 }
 
-std::string base64(const std::string& bytes) {
-  const std::string uri = chart::data_uri("", bytes);
-  return uri.substr(uri.find(',') + 1);
-}
-
 /// A script's text must not end the script.
 std::string in_script(std::string json) {
   for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;) json.replace(at, 1, "\\u003c");
@@ -42,8 +37,8 @@ void export_page(const StudioOptions& options, const fs::path& file) {
   std::string page = content(pages / "export.html", "the page to export");
   const std::array<std::pair<std::string, std::string>, 3> marks = {{
       {"RIGSOUND_RIG_JSON", in_script(rig_description(place).dump())},
-      {"RIGSOUND_RIGSET_BASE64", base64(packed_sound_set(place, PackRig::kEmbedded))},
-      {"RIGSOUND_ENGINE_BASE64", base64(content(pages / "engine.wasm", "the engine for a page"))},
+      {"RIGSOUND_RIGSET", page_text(deflated(byte_planes(packed_sound_set(place, PackRig::kEmbedded))))},
+      {"RIGSOUND_ENGINE", page_text(deflated(content(pages / "engine.wasm", "the engine for a page")))},
   }};
   for (const auto& [mark, text] : marks) {
     const std::size_t at = page.find(mark);

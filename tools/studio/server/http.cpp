@@ -33,6 +33,13 @@ Answer json_answer(const Json& json, int status) {
   return answer;
 }
 
+Answer wave_answer(std::string bytes) {
+  Answer answer;
+  answer.type = "audio/wav";
+  answer.body = std::move(bytes);
+  return answer;
+}
+
 Answer error_answer(const ApiError& error) {
   Json json{{"error", error.what()}};
   json.update(error.more);

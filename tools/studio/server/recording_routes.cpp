@@ -59,11 +59,8 @@ Answer audio(Workplace& place, const Request& r) {
   if (from < 0 || from >= to) throw ApiError(400, "from, to: expected a stretch within the recording");
   if (to - from > kMostSoundSeconds + 1e-6) throw ApiError(400, "to: expected at most 60 s after from");
   const long first = std::lround(from * sound.shape().rate), end = std::lround(to * sound.shape().rate);
-  Answer answer;
-  answer.type = "audio/wav";
-  answer.body =
-      analysis::wave_bytes(sound.read(first, static_cast<std::size_t>(end - first)), sound.shape().rate);
-  return answer;
+  return wave_answer(
+      analysis::wave_bytes(sound.read(first, static_cast<std::size_t>(end - first)), sound.shape().rate));
 }
 
 }  // namespace

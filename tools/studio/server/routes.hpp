@@ -16,5 +16,6 @@ void add_live_routes(Router& router, Workplace& place);
 void add_log_routes(Router& router, Workplace& place);
 void add_steel_routes(Router& router, Workplace& place);
 void add_listening_routes(Router& router, Workplace& place);
+void add_trial_routes(Router& router, Workplace& place);
 
 }  // namespace rigsound::studio

@@ -41,6 +41,7 @@ struct Studio::Parts {
     add_log_routes(router, place);
     add_steel_routes(router, place);
     add_listening_routes(router, place);
+    add_trial_routes(router, place);
   }
 
   Answer answer(const Request& request) {

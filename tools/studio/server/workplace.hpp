@@ -9,6 +9,7 @@
 #include "comparisons.hpp"
 #include "folder.hpp"
 #include "jobs.hpp"
+#include "listening_trials.hpp"
 #include "recordings.hpp"
 #include "tile_store.hpp"
 
@@ -39,6 +40,7 @@ struct Workplace {
   Recordings recordings;
   TileStore tiles;
   Comparisons comparisons;
+  ListeningTrials trials;
   std::mutex writes;  ///< one write at a time: what it saw is what it replaces
   Jobs jobs;          ///< last: its work uses the others
 };

@@ -33,8 +33,8 @@ const exportPage = (script, style, worklet) => {
 <meta http-equiv="Content-Security-Policy" content="${policy}">
 <meta name="viewport" content="width=device-width, initial-scale=1"><title>rigsound</title><link rel="icon" href="data:,">
 <style>${style}</style></head><body>
-${data('worklet', Buffer.from(worklet).toString('base64'))}${data('engine', 'RIGSOUND_ENGINE_BASE64')}` +
-    `${data('sound-set', 'RIGSOUND_RIGSET_BASE64')}${data('rig', 'RIGSOUND_RIG_JSON')}` +
+${data('worklet', Buffer.from(worklet).toString('base64'))}${data('engine', 'RIGSOUND_ENGINE')}` +
+    `${data('sound-set', 'RIGSOUND_RIGSET')}${data('rig', 'RIGSOUND_RIG_JSON')}` +
     `<script>${script}</script>\n</body></html>\n`;
 };
 

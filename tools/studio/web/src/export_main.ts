@@ -1,24 +1,23 @@
-// The Rig page as one file: engine, processor and packed sound set lie in it as text.
+// The Rig page as one file: engine, processor and packed sound set lie in it, deflated, as text.
 import { h } from './dom/element';
 import { button } from './dom/fields';
 import { openRigView } from './rig/rig_view';
 import type { Rig } from './server/documents';
+import { fromPlanes, inflated } from './server/page_text';
 import { Shortcuts } from './shell/shortcuts';
 import { failed, loading } from './shell/states';
 
-const textOf = (id: string): string => document.getElementById(id)?.textContent?.trim() ?? '';
-const octetsOf = (id: string): Uint8Array<ArrayBuffer> => Uint8Array.from(atob(textOf(id)), (letter) => letter.charCodeAt(0));
+const textOf = (id: string): string => document.getElementById(id)?.textContent ?? '';
 
 const start = async (): Promise<void> => {
   const tools = h('div', { class: 'tools' }), place = h('div', { class: 'stack' }, loading('Opening'));
-  const keys = new Shortcuts([]);
-  const [engine, set] = ['engine', 'sound-set'].map(octetsOf) as [Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>];
+  const keys = new Shortcuts([]), texts = ['engine', 'sound-set'].map(textOf);
   // A page from file:// has an origin of its own that no blob's address belongs to.
   const worklet = `data:text/javascript;base64,${textOf('worklet')}`, rig = textOf('rig');
   document.body.replaceChildren(h('main', {}, h('header', {}, h('h1', {}, 'Rig'), h('p', {}, 'The sound set as the cabin plays it'), tools,
     button('Keys', () => keys.show(), { 'aria-keyshortcuts': '?' })), place));
   try {
-    const facts = JSON.parse(rig) as Rig;
+    const facts = JSON.parse(rig) as Rig, [engine, planes] = await Promise.all(texts.map(inflated)) as [Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>], set = fromPlanes(planes);
     const view = await openRigView(place, tools, { parts: { module: await WebAssembly.compile(engine), worklet }, set,
       rig: facts, rocks: facts.rocks ?? [], logs: [], timelineOf: () => Promise.reject(new Error('no logs here')) });
     keys.ofPage(view.shortcuts);

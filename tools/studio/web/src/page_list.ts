@@ -2,9 +2,10 @@
 import { analysePage } from './analyse/analyse_page';
 import { annotatePage } from './annotate/annotate_page';
 import { comparePage } from './compare/compare_page';
+import { listenPage } from './listen/listen_page';
 import { livePage } from './live/live_page';
 import { refinePage } from './refine/refine_page';
 import { rigPage } from './rig/rig_page';
 import type { Page } from './shell/page';
 
-export const pages: Page[] = [annotatePage, analysePage, comparePage, refinePage, rigPage, livePage];
+export const pages: Page[] = [annotatePage, analysePage, comparePage, refinePage, rigPage, listenPage, livePage];

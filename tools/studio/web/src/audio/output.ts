@@ -6,10 +6,11 @@ const listeners = new Set<(context: AudioContext) => void>();
 /** The context at `rate`; another rate ends the one before. */
 export const outputAt = async (rate: number): Promise<AudioContext> => {
   if (context?.sampleRate !== rate) {
-    await context?.close();
-    context = new AudioContext({ sampleRate: rate, latencyHint: 'interactive' });
-    const made = context;
+    const before = context, made = new AudioContext({ sampleRate: rate, latencyHint: 'interactive' });
+    // At once: who asks meanwhile must get this one.
+    context = made;
     made.addEventListener('statechange', () => listeners.forEach((listener) => listener(made)));
+    await before?.close();
   }
   listeners.forEach((listener) => listener(context as AudioContext));
   return context as AudioContext;

@@ -13,22 +13,27 @@ export class Offline extends Error {
 }
 
 /** The token of the address the program printed; kept for this tab, and gone from the address bar. */
-const readToken = (): string => {
+const readToken = (shownNext: string): string => {
   const given = /^#([A-Za-z0-9_-]{16,})$/.exec(location.hash)?.[1];
   if (given) {
     sessionStorage.setItem(kTokenKey, given);
-    history.replaceState(null, '', location.pathname);
+    history.replaceState(null, '', location.pathname + shownNext);
   }
   return sessionStorage.getItem(kTokenKey) ?? '';
 };
-const token = readToken();
+let token = readToken('');
+// A program that was started anew has another token: its address, put into this tab, brings it to the page as it is. This
+// listener comes before those that follow the address.
+addEventListener('hashchange', (event) => { token = readToken(new URL(event.oldURL).hash); });
 
-let online = true;
-const watchers = new Set<(online: boolean) => void>();
-export const watchOnline = (watcher: (online: boolean) => void): void => { watchers.add(watcher); };
-const report = (state: boolean): void => {
-  if (online !== state) watchers.forEach((watcher) => watcher(state));
-  online = state;
+/** `here`: the server answers; `gone`: nobody does; `stranger`: one that was started anew and does not know this page. */
+export type Connection = 'here' | 'gone' | 'stranger';
+let connection: Connection = 'here';
+const watchers = new Set<(connection: Connection) => void>();
+export const watchConnection = (watcher: (connection: Connection) => void): void => { watchers.add(watcher); };
+const report = (state: Connection): void => {
+  if (connection !== state) watchers.forEach((watcher) => watcher(state));
+  connection = state;
 };
 
 export interface Ask { method?: string; body?: unknown; signal?: AbortSignal }
@@ -42,10 +47,10 @@ export const ask = async (path: string, { method = 'GET', body, signal }: Ask = 
       ...(body === undefined ? {} : { body: JSON.stringify(body) }), ...(signal ? { signal } : {}) });
   } catch (error) {
     if (signal?.aborted) throw error;
-    report(false);
+    report('gone');
     throw new Offline();
   }
-  report(true);
+  report(response.status === 401 ? 'stranger' : 'here');
   if (response.ok) return response;
   const answer = await response.json().catch(() => ({})) as Record<string, unknown>;
   throw new ServerError(response.status, String(answer.error ?? `${response.status} ${response.statusText}`), answer);

@@ -3,7 +3,7 @@ import { watchOutput } from '../audio/output';
 import { h } from '../dom/element';
 import { button } from '../dom/fields';
 import type { State } from '../server/documents';
-import { askJson, watchOnline } from '../server/request';
+import { askJson, watchConnection, type Connection } from '../server/request';
 import type { Opened, Page } from './page';
 import { Shortcuts } from './shortcuts';
 import { failed, loading } from './states';
@@ -18,6 +18,7 @@ export class Shell {
   private opened: Opened | null = null;
   private turn = 0;
   private here = '';
+  private retrying = 0;
 
   constructor(private readonly pages: Page[], state: State) {
     const navigation = h('nav', { 'aria-label': 'Pages' },
@@ -33,7 +34,7 @@ export class Shell {
       h('div', { class: 'studio' }, navigation, this.main, this.statusLine(state)));
     addEventListener('hashchange', () => void this.follow());
     addEventListener('beforeunload', (event) => { if (this.opened?.unsaved?.()) event.preventDefault(); });
-    watchOnline((online) => this.showOnline(online));
+    watchConnection((connection) => this.showConnection(connection));
     void this.follow();
   }
 
@@ -47,13 +48,15 @@ export class Shell {
     return h('footer', { class: 'status' }, audio, this.said, h('span', {}, `rigsound ${state.version}`));
   }
 
-  private showOnline(online: boolean): void {
+  private showConnection(connection: Connection): void {
+    clearTimeout(this.retrying);
     document.querySelector('.banner')?.remove();
-    if (online) return;
-    document.body.prepend(h('div', { class: 'banner', role: 'alert' },
-      'The studio program has ended or does not answer. Nothing here is lost; start it again with the same port and token, or keep this page open.'));
-    const retry = (): void => { askJson('/state').catch(() => setTimeout(retry, kRetryEvery_ms)); };
-    setTimeout(retry, kRetryEvery_ms);
+    if (connection === 'here') return;
+    document.body.prepend(h('div', { class: 'banner', role: 'alert' }, connection === 'gone'
+      ? `The studio program has ended or does not answer. Nothing here is lost: start it again with --port ${location.port}, and put the address that it prints into this tab.`
+      : 'The studio program was started anew. Nothing here is lost: put the address that it printed into this tab.'));
+    const retry = (): void => { askJson('/state').catch(() => { this.retrying = setTimeout(retry, kRetryEvery_ms); }); };
+    this.retrying = setTimeout(retry, kRetryEvery_ms);
   }
 
   private async follow(): Promise<void> {
