@@ -2,11 +2,9 @@
 
 #include <algorithm>
 
-#include "rigsound/config/refinement.hpp"
 #include "rigsound/config/rig.hpp"
 #include "rigsound/config/sound_set_files.hpp"
 #include "rigsound/feed_rule.hpp"
-#include "sound_set_json.hpp"
 
 namespace rigsound::studio {
 namespace {
@@ -42,20 +40,6 @@ Json controls_json() {
   return list;
 }
 
-/// Of a bank alone: nothing else sounds.
-config::SoundSetParts parts_of(config::StoredBank stored) {
-  config::SoundSetParts parts;
-  for (int s = 0; s < kSituationCount; ++s) {
-    config::BankEntry use;
-    use.name = stored.bank.name;
-    use.situation = static_cast<Situation>(s);
-    parts.index.banks.push_back(use);
-  }
-  parts.index.rocks = {{"medium"}};
-  parts.banks.push_back(std::move(stored));
-  return parts;
-}
-
 }  // namespace
 
 Json words_of(const SignalInfo& signal) {
@@ -68,6 +52,8 @@ Json words_of(const SignalInfo& signal) {
   }
   return words;
 }
+
+EngineOptions engine_of(const Workplace& place) { return rig_file(place).engine; }
 
 config::PackedRig rig_of(const Workplace& place, const config::SoundSetParts& parts) {
   const config::Rig rig = rig_file(place);
@@ -87,28 +73,8 @@ std::string packed_sound_set(const Workplace& place, PackRig rig) {
   return config::packed(set);
 }
 
-std::string packed_bank(const Workplace& place, const std::string& name, const std::vector<int>& clicks) {
-  config::StoredBank stored = config::load_analysed_bank(bank_folder(place, name));
-  if (!clicks.empty()) {
-    std::vector<std::vector<float>> kept;
-    for (const int click : clicks) {
-      if (click < 0 || click >= static_cast<int>(stored.bank.clicks.size()))
-        throw ApiError(400, "clicks: there is no click " + std::to_string(click));
-      kept.push_back(stored.bank.clicks[static_cast<std::size_t>(click)]);
-    }
-    stored.bank.clicks = std::move(kept);
-  }
-  config::PackedSet set;
-  set.parts = parts_of(std::move(stored));
-  set.rig = config::PackedRig{rig_file(place).engine, {}};
-  set.rig->engine.booms.resize(1);
-  set.rig->engine.booms.front() = BoomOptions();
-  set.rig->boom_tools = {""};
-  return config::packed(set);
-}
-
 Json rig_description(const Workplace& place) {
-  const EngineOptions engine = rig_file(place).engine;
+  const EngineOptions engine = engine_of(place);
   Json booms = Json::array();
   for (const BoomOptions& boom : engine.booms) booms.push_back(boom.name);
   const SceneOptions& scene = engine.scene;
