@@ -41,8 +41,9 @@ class RigProcessor extends AudioWorkletProcessor {
 
   private open(): void {
     try {
-      const engine = new Engine(this.module, this.set);
-      if (engine.rate !== sampleRate && this.engine !== null) throw new Error(`the set wants ${engine.rate} Hz`);
+      const before = this.engine, engine = before ?? new Engine(this.module, this.set);
+      if (before) before.open(this.set);
+      if (engine.rate !== sampleRate && before) throw new Error(`the set wants ${engine.rate} Hz`);
       this.engine = engine;
       this.block = new Float32Array(0);
       this.taken = 0;
