@@ -5,7 +5,7 @@ import { outputAt, resume } from '../audio/output';
 import { RigPlayer } from '../audio/rig_player';
 import { spectrumView } from '../audio/scope';
 import { servedParts } from '../audio/served_parts';
-import { loadSound } from '../audio/sound_files';
+import { soundFor } from '../audio/sound_files';
 import { h } from '../dom/element';
 import { button, slider, type Field } from '../dom/fields';
 import { editButtons } from '../edit/edit_buttons';
@@ -55,7 +55,7 @@ const openBank = async (name: string, rig: Rig, writable: boolean, work: HTMLEle
   });
   const hearClick = async (index: number): Promise<void> => {
     try {
-      const source = new AudioBufferSourceNode(context, { buffer: await loadSound(`/banks/${name}/clicks/${index}`) });
+      const source = new AudioBufferSourceNode(context, { buffer: await soundFor(context, `/banks/${name}/clicks/${index}`) });
       await resume();
       source.connect(context.destination);
       source.start();
