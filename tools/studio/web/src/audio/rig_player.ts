@@ -35,6 +35,8 @@ export class RigPlayer {
   }
 
   change(change: Change): void { this.say({ kind: 'change', change }); }
+  /** `change` for one block of the rig, then `back`. */
+  pulse(change: Change, back: Change): void { this.say({ kind: 'pulse', change, back }); }
   load(set: Uint8Array): void { this.say({ kind: 'load', set }); }
   play(changes: TimedChange[], fromFrame: number): void { this.say({ kind: 'play', changes, fromFrame }); }
   pause(): void { this.say({ kind: 'pause' }); }
