@@ -151,6 +151,12 @@ class SoundSet(StudioCase):
         self.assertEqual(self.ask('GET', '/sound_set.rigset?bank=none').status, 404)
         self.assertEqual(self.ask('GET', '/sound_set.rigset?bank=normal&clicks=9').status, 400)
 
+    def test_the_rig_knows_the_rocks_by_name(self):
+        self.assertEqual(self.get('/rig').json['rocks'], [])
+        with open(self.sound_set / 'soundset.toml', 'a') as index:
+            index.write('[[rock]]\nname = "soft"\n[[rock]]\nname = "hard"\nstiffness = 5e8\n')
+        self.assertEqual(self.get('/rig').json['rocks'], ['soft', 'hard'])
+
     def test_a_set_that_goes_while_it_is_shown_is_told(self):
         (self.sound_set / 'banks/normal/clicks.wav').unlink()
         found = self.get('/sound_set').json

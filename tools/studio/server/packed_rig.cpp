@@ -4,7 +4,9 @@
 
 #include "rigsound/config/rig.hpp"
 #include "rigsound/config/sound_set_files.hpp"
+#include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/feed_rule.hpp"
+#include "sound_set_json.hpp"
 
 namespace rigsound::studio {
 namespace {
@@ -38,6 +40,15 @@ Json controls_json() {
                     {"neutral", control.neutral},
                     {"meaning", control.meaning}});
   return list;
+}
+
+/// Their names, in the order in which the signal counts them.
+Json rocks_json(const Workplace& place) {
+  Json names = Json::array();
+  if (version_of(index_of(place)) == kAbsentVersion) return names;
+  for (const config::RockEntry& rock : config::load_index(place.sound_set.path()).rocks)
+    names.push_back(rock.name);
+  return names;
 }
 
 }  // namespace
@@ -90,6 +101,7 @@ Json rig_description(const Workplace& place) {
             {"normal_bar", scene::feed_points(scene).normal},
             {"largest_bar", kFeedPressures.max}}},
           {"idle_rpm", scene.idle_rpm},
+          {"rocks", rocks_json(place)},
           {"signals", signals_json()},
           {"controls", controls_json()}};
 }
