@@ -56,14 +56,16 @@ export const openDiesel = async (name: string, rig: Rig, place: HTMLElement, too
   };
   const where = learned.low === learned.high ? `at ${shown(learned.low)}` : `from ${shown(learned.low)} to ${shown(learned.high)}`;
   const set = (given: Setting): void => {
+    // What is heard goes first; a picture takes longer.
+    sound.set(given);
+    sound.playModel();
+    const drawn = setting.point;
     setting = given;
-    draw();
+    if (drawn !== given.point) draw();
     speed.set(given.rpm);
     load.set(given.load);
     beyond.textContent = given.rpm < learned.low || given.rpm > learned.high ? `Learned ${where} r/min only; beyond, its colour stays.` : '';
     table.show(given.point);
-    sound.set(given);
-    sound.playModel();
     heard.set('model');
     showHeard();
     modelled.ask(given);
