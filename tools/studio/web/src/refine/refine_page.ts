@@ -64,7 +64,7 @@ const openBank = async (name: string, rig: Rig, writable: boolean, work: HTMLEle
   };
   const reload = async (dropped: number[]): Promise<void> => {
     const set = await askBytes(packedPath(name, clicks, dropped));
-    if (history.value.dropped.join() === dropped.join()) player.load(set);
+    if (history.value.dropped.join() === dropped.join()) void player.load(set);
   };
   const show = (value: Refinement): void => {
     fields.forEach((field, control) => field.set(value.controls[control] ?? rig.controls.find((each) => each.name === control)?.neutral ?? 0));

@@ -8,6 +8,8 @@ import { askBytes } from '../server/request';
 import type { Steel } from './steel';
 
 const kSilent_db = -60;
+// Between two steels of a moving slider there is something to hear.
+const kPlays_ms = 40;
 
 export const openSteelSound = async (rig: Rig, first: Steel, firstBank: string, wrong: (error: unknown) => void) => {
   let steel = first, bank = firstBank;
@@ -18,7 +20,10 @@ export const openSteelSound = async (rig: Rig, first: Steel, firstBank: string, 
   player.change(hammer(false));
   player.change({ call: 'set', name: 'feed_pressure_bar', boom: 0, value: rig.feed.normal_bar });
   player.node.connect(context.destination);
-  const next = newest(async () => { player.load(await packed()); }, wrong);
+  const next = newest(async () => {
+    await player.load(await packed());
+    await new Promise((done) => { setTimeout(done, kPlays_ms); });
+  }, wrong);
   let drilling = false;
   const setClicks = (heard: boolean): void => player.change({ call: 'control', name: 'mean_amplitude_db', boom: 0, value: heard ? 0 : kSilent_db });
   setClicks(false);
