@@ -42,7 +42,7 @@ fs::path save(const fs::path& sound_set, const std::string& name, const std::str
   if (error) throw DeviceError(folder.string() + ": cannot be made: " + error.message());
   const fs::path file = folder / (name + ".json");
   const bool differs = fs::exists(file) && read_text(file, kModelText) != text;
-  const fs::path kept = differs ? put_aside(file) : fs::path();
+  fs::path kept = differs ? put_aside(file) : fs::path();
   write_file(file, text);
   return kept;
 }
