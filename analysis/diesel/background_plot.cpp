@@ -9,7 +9,7 @@
 #include "chart/plot.hpp"
 #include "chart/svg_canvas.hpp"
 #include "diesel/compared_cycles.hpp"
-#include "diesel/order_spectrum.hpp"
+#include "diesel/cyclic_spectrum.hpp"
 #include "rigsound/file/atomic_file.hpp"
 
 namespace rigsound::analysis {
@@ -19,9 +19,8 @@ using chart::Paint, chart::Plot, chart::Role;
 
 constexpr double kSpectrumWidth = 500,
                  kEnvelopeWidth = 640;  // the latter: 9 pixels a slot, which keeps the file short
-constexpr double kPanelWidth = kSpectrumWidth + kEnvelopeWidth, kPanelHeight = 300, kPanelHead = 62,
-                 kLowestDrawn_hz = 20, kHighestDrawn_hz = 10000;
-constexpr int kSpectrumCycles = 8, kPlayedCycles = 120;
+constexpr double kPanelWidth = kSpectrumWidth + kEnvelopeWidth, kPanelHeight = 300, kPanelHead = 62;
+constexpr int kPlayedCycles = 120;
 constexpr std::size_t kMostRows = 12;  // speeds, about 15 kB each
 // The recorded curve is the wide pale one behind the modelled one, so that both stay visible.
 constexpr double kRecordedWidth = 3, kModelledWidth = 1.1;
@@ -34,30 +33,9 @@ struct Compared {
   std::optional<Likeness> off;
 };
 
-struct Curve {
-  std::vector<double> x, y;
-};
-
-Curve spectrum(const CyclicSound& s) {
-  const std::vector<double> power = order_spectrum(s.y, s.N, kSpectrumCycles);
-  Curve curve;
-  for (std::size_t b = 1; b < power.size(); ++b) {
-    const double f = static_cast<double>(b) / kSpectrumCycles * s.f0;
-    if (f < kLowestDrawn_hz || f > kHighestDrawn_hz) continue;
-    curve.x.push_back(f), curve.y.push_back(10 * std::log10(power[b] + 1e-20));
-  }
-  return curve;
-}
-
-/// Level of each order of the model below 400 Hz.
+/// As the model has them, before its voice plays.
 Curve orders(const DieselPoint& point, double f0) {
-  constexpr double kHighestOrder_hz = 400;
-  Curve curve;
-  for (std::size_t k = 1; k <= point.orders.size() && static_cast<double>(k) * f0 < kHighestOrder_hz; ++k) {
-    curve.x.push_back(static_cast<double>(k) * f0);
-    curve.y.push_back(10 * std::log10(0.5 * static_cast<double>(std::norm(point.orders[k - 1])) + 1e-20));
-  }
-  return curve;
+  return order_levels({point.orders.begin(), point.orders.end()}, f0);
 }
 
 void draw_spectrum(chart::Canvas& canvas, const chart::Box& box, const DieselPoint& point,
@@ -66,13 +44,13 @@ void draw_spectrum(chart::Canvas& canvas, const chart::Box& box, const DieselPoi
   Plot plot(
       canvas, box,
       fmt::format("{} at {:.0f} r/min", std::filesystem::path(point.source).filename().string(), point.rpm),
-      chart::frequency_axis("frequency, Hz", kLowestDrawn_hz, kHighestDrawn_hz,
+      chart::frequency_axis("frequency, Hz", kLowestShown_hz, kHighestShown_hz,
                             {20, 50, 100, 200, 500, 1000, 2000, 5000, 10000}),
       chart::linear_axis("dB re full scale, 1/8 order", -120, -20));
-  const Curve marked = orders(point, model.f0), modelled = spectrum(model);
+  const Curve marked = orders(point, model.f0), modelled = band_levels(model);
   plot.stems(marked.x, marked.y, {kOrders});
   if (recorded) {
-    const Curve heard = spectrum(*recorded);
+    const Curve heard = band_levels(*recorded);
     plot.line(heard.x, heard.y, {kRecorded, kRecordedWidth});
   }
   plot.line(modelled.x, modelled.y, {kModelled, 0.5 * kModelledWidth});
@@ -84,7 +62,7 @@ void draw_spectrum(chart::Canvas& canvas, const chart::Box& box, const DieselPoi
 void draw_envelopes(chart::Canvas& canvas, const chart::Box& box, const Compared& sounds) {
   const auto& [model, recorded, off] = sounds;
   constexpr double kStep_db = 10;
-  const std::vector<double> bands = envelope_bands(std::min(kHighestDrawn_hz, 0.45 * model.N * model.f0));
+  const std::vector<double> bands = envelope_bands(std::min(kHighestShown_hz, 0.45 * model.N * model.f0));
   const auto count = static_cast<double>(bands.size() - 1);
   chart::Axis angle{"crank angle, degrees", 0, 720, chart::Axis::Scale::kLinear, {}},
       octaves{"octave from … Hz", -0.5 * kStep_db, (count - 0.5) * kStep_db, chart::Axis::Scale::kLinear, {}};
@@ -154,7 +132,7 @@ void write_background_plot(const std::filesystem::path& file, const std::vector<
       sounds.recorded = recorded_cycles(sections[i], point, model.angle_samples);
       if (sounds.recorded->y.empty()) sounds.recorded.reset();
     }
-    if (sounds.recorded) sounds.off = likeness(*sounds.recorded, sounds.model, kHighestDrawn_hz);
+    if (sounds.recorded) sounds.off = likeness(*sounds.recorded, sounds.model, kHighestShown_hz);
     const double bottom = top + kPanelHeight - 6;
     draw_spectrum(canvas, {0, top, kSpectrumWidth, bottom}, point, sounds);
     draw_envelopes(canvas, {kSpectrumWidth, top, kPanelWidth, bottom}, sounds);

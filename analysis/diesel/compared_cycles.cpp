@@ -27,16 +27,19 @@ CyclicSound recorded_cycles(const Section& section, const DieselPoint& point, in
   return turned(section, point, N);
 }
 
-CyclicSound played_cycles(const DieselModel& model, const DieselPoint& point, int cycles, unsigned seed) {
-  const double f0 = cycles_per_second(point.rpm);
+Section played_section(const DieselModel& model, double rpm, double load, int cycles, unsigned seed) {
+  const double f0 = cycles_per_second(rpm);
   const auto samples = static_cast<std::size_t>((cycles + 2) / f0 * kAnalysisRate);
-  const std::vector<float> y =
-      play_diesel(model, std::vector<double>(samples, point.rpm), point.load, 0, seed);
+  const std::vector<float> y = play_diesel(model, std::vector<double>(samples, rpm), load, 0, seed);
   Section section;
   section.x.assign(y.begin(), y.end());
   for (std::size_t n = 0; n < y.size(); ++n)
     section.theta.push_back(f0 * static_cast<double>(n) / kAnalysisRate);
-  return turned(section, point, model.angle_samples);
+  return section;
+}
+
+CyclicSound played_cycles(const DieselModel& model, const DieselPoint& point, int cycles, unsigned seed) {
+  return turned(played_section(model, point.rpm, point.load, cycles, seed), point, model.angle_samples);
 }
 
 }  // namespace rigsound::analysis

@@ -66,7 +66,8 @@ WaveRepair repair_of(const std::string& format, std::int64_t begin, std::int64_t
 std::optional<WaveRepair> wave_repair(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   const std::string riff = read_at(file, 0, kRiffHead);
-  if (riff.compare(0, 4, "RIFF") != 0 || riff.compare(8, 4, "WAVE") != 0) return std::nullopt;
+  if (riff.size() < kRiffHead || riff.compare(0, 4, "RIFF") != 0 || riff.compare(8, 4, "WAVE") != 0)
+    return std::nullopt;
   file.clear();
   const std::int64_t length = file.seekg(0, std::ios::end).tellg();
   std::string format, fault;

@@ -12,10 +12,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// NAME.json.old, or the first of .old2, .old3, ... that is free: hand-made edits are never lost.
+/// The name of what is kept as the i-th, from 1 on: NAME.json.old, .old2, .old3, ...
+fs::path kept_file(const fs::path& file, int i) {
+  return file.string() + ".old" + (i > 1 ? std::to_string(i) : std::string());
+}
+
+/// The first of them that is free: hand-made edits are never lost.
+int first_free(const fs::path& file) {
+  int i = 1;
+  while (fs::exists(kept_file(file, i))) ++i;
+  return i;
+}
+
 fs::path put_aside(const fs::path& file) {
-  fs::path kept = file.string() + ".old";
-  for (int i = 2; fs::exists(kept); ++i) kept = file.string() + ".old" + std::to_string(i);
+  fs::path kept = kept_file(file, first_free(file));
   std::error_code error;
   fs::copy_file(file, kept, error);
   if (error) throw DeviceError(kept.string() + ": cannot be written: " + error.message());
@@ -32,7 +42,7 @@ fs::path save(const fs::path& sound_set, const std::string& name, const std::str
   if (error) throw DeviceError(folder.string() + ": cannot be made: " + error.message());
   const fs::path file = folder / (name + ".json");
   const bool differs = fs::exists(file) && read_text(file, kModelText) != text;
-  const fs::path kept = differs ? put_aside(file) : fs::path();
+  fs::path kept = differs ? put_aside(file) : fs::path();
   write_file(file, text);
   return kept;
 }
@@ -45,6 +55,19 @@ fs::path save_tool(const fs::path& sound_set, const ToolModel& tool) {
 
 fs::path save_string(const fs::path& sound_set, const StringModel& string) {
   return save(sound_set, string.name, string_json(string));
+}
+
+bool restore_tool(const fs::path& sound_set, const std::string& name) {
+  if (!is_name(name))
+    throw InputError(sound_set.string(), 0, name, "is no tool name, " + std::string(kNameRule));
+  const fs::path file = sound_set / "tools" / (name + ".json");
+  const int last = first_free(file) - 1;
+  if (last == 0) return false;
+  const fs::path kept = kept_file(file, last);
+  const std::string before = read_text(kept, kModelText), after = read_text(file, kModelText);
+  write_file(file, before);
+  write_file(kept, after);
+  return true;
 }
 
 ToolModel load_tool(const fs::path& file) {

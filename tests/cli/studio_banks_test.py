@@ -161,6 +161,12 @@ class SoundSet(StudioCase):
         self.assertEqual(self.ask('GET', '/sound_set.rigset?bank=none').status, 404)
         self.assertEqual(self.ask('GET', '/sound_set.rigset?bank=normal&clicks=9').status, 400)
 
+    def test_the_rig_knows_the_rocks_by_name(self):
+        self.assertEqual(self.get('/rig').json['rocks'], [])
+        with open(self.sound_set / 'soundset.toml', 'a') as index:
+            index.write('[[rock]]\nname = "soft"\n[[rock]]\nname = "hard"\nstiffness = 5e8\n')
+        self.assertEqual(self.get('/rig').json['rocks'], ['soft', 'hard'])
+
     def test_a_set_that_goes_while_it_is_shown_is_told(self):
         (self.sound_set / 'banks/normal/clicks.wav').unlink()
         found = self.get('/sound_set').json
@@ -191,19 +197,6 @@ class SoundSet(StudioCase):
         (self.folder / 'out.rigset').write_bytes(packed)
         result = subprocess.run([RIGSOUND, 'unpack', self.folder / 'out.rigset', self.folder / 'unpacked'], capture_output=True, text=True)
         self.assertEqual((result.returncode, result.stderr), (0, ''))
-
-
-    def test_a_steel_is_tuned_and_saved(self):
-        steel = {'length_m': 0.5, 'diameter_m': 0.025}
-        modes = self.ask('POST', '/steel', steel).json['modes']
-        self.assertTrue(modes and all(abs(m['error_cents']) < 1 for m in modes))
-        self.assertEqual(self.ask('POST', '/steel', {'length_m': 50, 'diameter_m': 0.025}).status, 422)
-        saved = self.ask('PUT', '/tools/bar', {**steel, 'version': 'absent'})
-        self.assertEqual(saved.status, 200, saved.body)
-        self.assertEqual(self.get('/tools/bar').json['version'], saved.json['version'])
-        self.assertEqual([t['name'] for t in self.get('/sound_set').json['tools']], ['bar'])
-        self.assertEqual(self.ask('PUT', '/tools/bar', {**steel, 'version': 'absent'}).status, 409)
-        self.assertEqual(self.ask('GET', '/tools/..').status, 404)
 
 
 unittest.main(argv=sys.argv[:1])

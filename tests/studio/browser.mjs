@@ -97,3 +97,38 @@ export const loudnessThat = (page, fits) => until('no such loudness', async () =
   const found = await loudness(page);
   return fits(found) && found;
 });
+/** `seconds` of what the newest engine of the page plays, from now on, at the context's rate; at most 0.68 s at 48 kHz. */
+export const samples = (page, seconds) => page.evaluate(async (length) => {
+  const node = window.heard.nodes.at(-1), analyser = node.context.createAnalyser();
+  analyser.fftSize = 32768;
+  node.connect(analyser);
+  await new Promise((done) => setTimeout(done, 1000 * length));
+  const x = new Float32Array(32768);
+  analyser.getFloatTimeDomainData(x);
+  node.disconnect(analyser);
+  return { rate: node.context.sampleRate, x: [...x.slice(-Math.round(length * node.context.sampleRate))] };
+}, seconds);
+
+/** Power of `hz` in samples, Hann window, dB. */
+export const powerAt = ({ rate, x }, hz) => {
+  let re = 0, im = 0;
+  x.forEach((v, n) => {
+    const window = 0.5 - 0.5 * Math.cos(2 * Math.PI * n / x.length), angle = 2 * Math.PI * hz * n / rate;
+    re += window * v * Math.cos(angle);
+    im += window * v * Math.sin(angle);
+  });
+  return 10 * Math.log10((re * re + im * im) / (x.length * x.length) + 1e-30);
+};
+
+/** Whether a page fits its window in widths that people have, a magnified one among them; leaves 1280x800. */
+export const widths = async (page, name) => {
+  const tooWide = [];
+  for (const [width, height] of [[1280, 800], [640, 400], [3840, 2160]]) {
+    await page.setViewportSize({ width, height });
+    await page.waitForTimeout(100);
+    if (!await page.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth)) tooWide.push(width);
+    await photograph(page, `${name}_${width}`);
+  }
+  await page.setViewportSize({ width: 1280, height: 800 });
+  return tooWide;
+};

@@ -63,6 +63,12 @@ test('a slider is heard; how soon is a figure, not a verdict', async () => {
   console.log(`slider to sound, context's own latency included: median ${median.toFixed(1)} ms of ${delays.map((d) => d.toFixed(1)).join(' ')}`);
 });
 
+test('the rocks of the set go by their names', async () => {
+  const rock = studio.page.getByRole('combobox', { name: 'Rock' });
+  assert.deepEqual(await rock.locator('option').allTextContents(), documents.rig.rocks);
+  await rock.selectOption('soft');
+});
+
 test('a log plays along its time and moves the lever', async () => {
   const { page } = studio;
   await page.getByLabel('Bus log to play').selectOption({ label: 'shift.log' });

@@ -102,7 +102,7 @@ test('rig: the banks that were made sound', async () => {
 });
 
 test('every page is accessible and its console quiet', async () => {
-  for (const id of ['annotate', 'analyse', 'compare', 'refine', 'rig', 'listen', 'live']) {
+  for (const id of ['annotate', 'analyse', 'compare', 'refine', 'steel', 'diesel', 'rig', 'listen', 'live']) {
     await go(id);
     await page.waitForTimeout(1500);
     await photograph(page, `whole_end_${id}`);

@@ -70,11 +70,11 @@ test('Live: signals with ages, changes as they come, controls go out', async () 
   assert.deepEqual(await complaints(page), []);
 });
 
-test('without recordings, banks or a daemon every page says what to do', async () => {
+test('without recordings, banks, backgrounds or a daemon every page says what to do', async () => {
   server.routes['GET /state'] = documents.state;
   server.routes['GET /sound_set'] = documents.soundSet;
   for (const [id, words] of [['annotate', 'There are no recordings'], ['analyse', 'There are no recordings'], ['compare', 'no banks yet'], ['refine', 'no banks yet'],
-    ['live', 'No daemon is connected']]) {
+    ['diesel', 'no diesel yet'], ['live', 'No daemon is connected']]) {
     await go(id);
     await page.getByText(words).waitFor();
     await photograph(page, `empty_${id}`);

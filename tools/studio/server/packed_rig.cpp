@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "rigsound/config/refinement.hpp"
 #include "rigsound/config/rig.hpp"
 #include "rigsound/config/sound_set_files.hpp"
+#include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/feed_rule.hpp"
 #include "sound_set_json.hpp"
 
@@ -42,18 +42,13 @@ Json controls_json() {
   return list;
 }
 
-/// Of a bank alone: nothing else sounds.
-config::SoundSetParts parts_of(config::StoredBank stored) {
-  config::SoundSetParts parts;
-  for (int s = 0; s < kSituationCount; ++s) {
-    config::BankEntry use;
-    use.name = stored.bank.name;
-    use.situation = static_cast<Situation>(s);
-    parts.index.banks.push_back(use);
-  }
-  parts.index.rocks = {{"medium"}};
-  parts.banks.push_back(std::move(stored));
-  return parts;
+/// Their names, in the order in which the signal counts them.
+Json rocks_json(const Workplace& place) {
+  Json names = Json::array();
+  if (version_of(index_of(place)) == kAbsentVersion) return names;
+  for (const config::RockEntry& rock : config::load_index(place.sound_set.path()).rocks)
+    names.push_back(rock.name);
+  return names;
 }
 
 }  // namespace
@@ -68,6 +63,8 @@ Json words_of(const SignalInfo& signal) {
   }
   return words;
 }
+
+EngineOptions engine_of(const Workplace& place) { return rig_file(place).engine; }
 
 config::PackedRig rig_of(const Workplace& place, const config::SoundSetParts& parts) {
   const config::Rig rig = rig_file(place);
@@ -87,28 +84,8 @@ std::string packed_sound_set(const Workplace& place, PackRig rig) {
   return config::packed(set);
 }
 
-std::string packed_bank(const Workplace& place, const std::string& name, const std::vector<int>& clicks) {
-  config::StoredBank stored = config::load_analysed_bank(bank_folder(place, name));
-  if (!clicks.empty()) {
-    std::vector<Click> kept;
-    for (const int click : clicks) {
-      if (click < 0 || click >= static_cast<int>(stored.bank.clicks.size()))
-        throw ApiError(400, "clicks: there is no click " + std::to_string(click));
-      kept.push_back(stored.bank.clicks[static_cast<std::size_t>(click)]);
-    }
-    stored.bank.clicks = std::move(kept);
-  }
-  config::PackedSet set;
-  set.parts = parts_of(std::move(stored));
-  set.rig = config::PackedRig{rig_file(place).engine, {}};
-  set.rig->engine.booms.resize(1);
-  set.rig->engine.booms.front() = BoomOptions();
-  set.rig->boom_tools = {""};
-  return config::packed(set);
-}
-
 Json rig_description(const Workplace& place) {
-  const EngineOptions engine = rig_file(place).engine;
+  const EngineOptions engine = engine_of(place);
   Json booms = Json::array();
   for (const BoomOptions& boom : engine.booms) booms.push_back(boom.name);
   const SceneOptions& scene = engine.scene;
@@ -124,6 +101,7 @@ Json rig_description(const Workplace& place) {
             {"normal_bar", scene::feed_points(scene).normal},
             {"largest_bar", kFeedPressures.max}}},
           {"idle_rpm", scene.idle_rpm},
+          {"rocks", rocks_json(place)},
           {"signals", signals_json()},
           {"controls", controls_json()}};
 }

@@ -2,13 +2,15 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "rigsound/config/packed_set.hpp"
 #include "rigsound/machine/signal.hpp"
 #include "workplace.hpp"
 
 namespace rigsound::studio {
+
+/// The engine options of --rig, else the usual ones. Errors: InputError. Thread: any.
+EngineOptions engine_of(const Workplace& place);
 
 /// The options of --rig, else of a rig of one boom with the first bar of the set. Errors: InputError. Thread:
 /// any.
@@ -17,10 +19,6 @@ config::PackedRig rig_of(const Workplace& place, const config::SoundSetParts& pa
 /// The packed set; `with_rig`: and the rig, once the engine was built with it. Errors: InputError.
 enum class PackRig { kLeftOut, kEmbedded };
 std::string packed_sound_set(const Workplace& place, PackRig rig);
-
-/// A set in which one bank, as analysed, serves every situation, with the rig but without steel, diesel and
-/// laws. `clicks`: those that stay; empty: all. Errors: ApiError, InputError.
-std::string packed_bank(const Workplace& place, const std::string& bank, const std::vector<int>& clicks);
 
 /// Of the values 0, 1, ... of a signal; null where it has none. Thread: any.
 Json words_of(const SignalInfo& signal);

@@ -14,6 +14,7 @@ void add_sound_set_routes(Router& router, Workplace& place);
 void add_bank_routes(Router& router, Workplace& place);
 void add_live_routes(Router& router, Workplace& place);
 void add_log_routes(Router& router, Workplace& place);
+void add_diesel_routes(Router& router, Workplace& place);
 void add_steel_routes(Router& router, Workplace& place);
 void add_listening_routes(Router& router, Workplace& place);
 void add_trial_routes(Router& router, Workplace& place);

@@ -101,6 +101,16 @@ fs::path bank_folder(const Workplace& place, const std::string& name) {
   return folder;
 }
 
+fs::path background_folder(const Workplace& place, const std::string& name) {
+  std::error_code none;
+  if (!is_name(name)) throw ApiError(404, "there is no such background");
+  fs::path folder = place.sound_set.inside(fs::path("backgrounds") / name);
+  if (!fs::is_directory(folder, none)) throw ApiError(404, "there is no such background");
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none))
+    place.sound_set.inside(fs::path("backgrounds") / name / entry.path().filename());
+  return folder;
+}
+
 std::string bank_version(const fs::path& folder) {
   return version_of_text(version_of(folder / "bank.json") + version_of(folder / "clicks.wav") +
                          version_of(folder / "refined.json"));

@@ -16,6 +16,9 @@ std::filesystem::path index_of(const Workplace& place);
 /// SET/banks/NAME of a bank that is there. Errors: ApiError 404 and 403.
 std::filesystem::path bank_folder(const Workplace& place, const std::string& name);
 
+/// SET/backgrounds/NAME of a background that is there. Errors: ApiError 404 and 403.
+std::filesystem::path background_folder(const Workplace& place, const std::string& name);
+
 /// Changes with the analysis and with the refinement.
 std::string bank_version(const std::filesystem::path& bank_folder);
 

@@ -1,5 +1,6 @@
 #include <sstream>
 
+#include "packed_part.hpp"
 #include "packed_rig.hpp"
 #include "routes.hpp"
 #include "sound_set_json.hpp"
@@ -31,10 +32,13 @@ Answer rigset(const Workplace& place, const Request& request) {
   };
   Answer answer;
   answer.type = "application/octet-stream";
-  const std::string bank = asked("bank");
-  answer.body = bank.empty()
-                    ? packed_sound_set(place, asked("rig") == "1" ? PackRig::kEmbedded : PackRig::kLeftOut)
-                    : packed_bank(place, bank, numbers_of(asked("clicks")));
+  const std::string bank = asked("bank"), background = asked("background");
+  if (!bank.empty())
+    answer.body = packed_bank(place, bank, numbers_of(asked("clicks")));
+  else if (!background.empty())
+    answer.body = packed_background(place, background);
+  else
+    answer.body = packed_sound_set(place, asked("rig") == "1" ? PackRig::kEmbedded : PackRig::kLeftOut);
   return answer;
 }
 

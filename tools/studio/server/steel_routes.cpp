@@ -1,7 +1,13 @@
+#include <algorithm>
+#include <stdexcept>
+
+#include "packed_part.hpp"
+#include "packed_rig.hpp"
+#include "rigsound/config/sound_set_index.hpp"
+#include "rigsound/config/tool_files.hpp"
 #include "rigsound/file/input_file.hpp"
 #include "routes.hpp"
 #include "sound_set_json.hpp"
-#include "verb_output.hpp"
 
 namespace rigsound::studio {
 namespace fs = std::filesystem;
@@ -10,28 +16,63 @@ namespace {
 
 constexpr std::uintmax_t kMostToolBytes = 4 << 20;
 
-std::string exact(double value) { return Json(value).dump(); }
+/// The numbers of a list of fields with what they may be.
+struct NumberRanges {
+  Json json;
+  void operator()(const char* key, const double& value, const Range& range) {
+    json[key] = {{"value", value}, {"min", range.min}, {"max", range.max}, {"unit", range.unit}};
+  }
+};
 
-void add_decay(const Json& body, const char* key, const std::string& option,
-               std::vector<std::string>& words) {
-  const auto decay = body.find(key);
-  if (decay == body.end() || decay->is_null()) return;
-  words.push_back(option);
-  for (const char* part : {"low_hz", "low_s", "high_hz", "high_s"})
-    words.push_back(exact(decay->at(part).get<double>()));
+template <class Options>
+Json ranges_of(const Options& options) {
+  NumberRanges ranges;
+  visit(ranges, options);
+  return ranges.json;
 }
 
-/// `rigsound tool` for the steel that `body` asks for.
-std::vector<std::string> tool_words(const Json& body) {
-  std::vector<std::string> words = {"tool",
-                                    "--length",
-                                    exact(body.at("length_m").get<double>()),
-                                    "--diameter",
-                                    exact(body.at("diameter_m").get<double>()),
-                                    "--json"};
-  add_decay(body, "transversal", "--t60-transversal", words);
-  add_decay(body, "longitudinal", "--t60-longitudinal", words);
-  return words;
+DecayWish wish_of(const Json& body, const char* key) {
+  const auto wish = body.find(key);
+  if (wish == body.end() || wish->is_null()) return {};
+  const auto number = [&](const char* part) { return wish->at(part).get<double>(); };
+  return {number("low_hz"), number("low_s"), number("high_hz"), number("high_s")};
+}
+
+/// The steel that `body` asks for, with its design at the rig's rate. Errors: ApiError 422 when there is
+/// none.
+ToolModel steel_of(const Workplace& place, const Json& body, const std::string& name) {
+  ToolModel steel;
+  steel.name = name;
+  steel.bar = {body.at("length_m").get<double>(), body.at("diameter_m").get<double>()};
+  steel.transversal.wish = wish_of(body, "transversal");
+  steel.longitudinal.wish = wish_of(body, "longitudinal");
+  try {
+    steel.designs = {design_tool(steel, engine_of(place).sample_rate)};
+  } catch (const std::invalid_argument& error) {
+    throw ApiError(422, error.what());
+  }
+  return steel;
+}
+
+Answer tune(const Workplace& place, const Request& request) {
+  const ToolModel steel = steel_of(place, request.object(), "steel");
+  Json list = Json::array();
+  for (const TunedMode& mode : tuned_modes(steel, steel.designs.front()))
+    list.push_back({{"family", mode.family},
+                    {"mode", mode.mode},
+                    {"target_hz", mode.target_hz},
+                    {"model_hz", mode.model_hz},
+                    {"error_cents", mode.error_cents},
+                    {"t60_s", mode.t60_s}});
+  return json_answer({{"modes", list}});
+}
+
+Answer rigset_of_steel(const Workplace& place, const Request& request) {
+  const Json body = request.object();
+  Answer answer;
+  answer.type = "application/octet-stream";
+  answer.body = packed_steel(place, steel_of(place, body, "steel"), body.value("bank", std::string()));
+  return answer;
 }
 
 fs::path tool_file(const Workplace& place, const std::string& name) {
@@ -39,16 +80,50 @@ fs::path tool_file(const Workplace& place, const std::string& name) {
   return place.sound_set.inside(fs::path("tools") / (name + ".json"));
 }
 
+/// What is kept of a tool may be a link too.
+void require_inside(const Workplace& place, const std::string& name) {
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(place.sound_set.path() / "tools", none))
+    if (entry.path().stem() == name + ".json") place.sound_set.inside("tools" / entry.path().filename());
+}
+
+Json saved_json(const std::string& name, const fs::path& file) {
+  return {{"name", name}, {"version", version_of(file)}};
+}
+
+/// A name that soundset.toml knows as a drill string's cannot become a bar's.
+void require_bar(const Workplace& place, const std::string& name) {
+  if (version_of(index_of(place)) == kAbsentVersion) return;
+  for (const config::ToolEntry& tool : config::load_index(place.sound_set.path()).tools)
+    if (tool.name == name && tool.kind != config::SteelKind::kBar)
+      throw ApiError(422, name + ": is a drill string, expected another name");
+}
+
 Answer put_tool(Workplace& place, const Request& request) {
   const std::string& name = request.words[0];
   const fs::path file = tool_file(place, name);
   const Json body = request.object();
-  std::vector<std::string> words = tool_words(body);
-  words.insert(words.end(), {"--name", name, "--out", place.sound_set.path().string()});
+  const ToolModel steel = steel_of(place, body, name);
   const std::lock_guard lock(place.writes);
+  require_bar(place, name);
   require_version(file, body.at("version").get<std::string>());
-  verb_output(words);
-  return json_answer({{"name", name}, {"version", version_of(file)}});
+  config::save_tool(place.sound_set.path(), steel);
+  config::SoundSetIndex index;
+  index.tools = {{name}};
+  config::merge_index(place.sound_set.path(), index);
+  return json_answer(saved_json(name, file));
+}
+
+Answer restore_tool(Workplace& place, const Request& request) {
+  const std::string& name = request.words[0];
+  const fs::path file = tool_file(place, name);
+  const std::string seen = request.object().at("version").get<std::string>();
+  const std::lock_guard lock(place.writes);
+  require_inside(place, name);
+  require_version(file, seen);
+  if (!config::restore_tool(place.sound_set.path(), name))
+    throw ApiError(404, name + ": nothing was put aside");
+  return json_answer(saved_json(name, file));
 }
 
 Answer get_tool(const Workplace& place, const std::string& name) {
@@ -57,18 +132,25 @@ Answer get_tool(const Workplace& place, const std::string& name) {
   if (!fs::is_regular_file(file, none)) throw ApiError(404, "there is no such tool");
   Json tool = Json::parse(InputFile(file, "tool", kMostToolBytes).content(), nullptr, false);
   if (!tool.is_object()) throw ApiError(422, file.filename().string() + ": is no JSON object");
-  return json_answer({{"name", name}, {"version", version_of(file)}, {"tool", tool}});
+  Json json = saved_json(name, file);
+  json["tool"] = tool;
+  return json_answer(json);
 }
 
 }  // namespace
 
 void add_steel_routes(Router& router, Workplace& place) {
-  router.add("POST", "/steel", [](const Request& request) {
-    return json_answer(Json::parse(verb_output(tool_words(request.object()))));
+  router.add("GET", "/steel", [](const Request&) {
+    return json_answer({{"bar", ranges_of(Bar())}, {"decay", ranges_of(DecayWish())}});
   });
+  router.add("POST", "/steel", [&place](const Request& request) { return tune(place, request); });
+  router.add("POST", "/steel/rigset",
+             [&place](const Request& request) { return rigset_of_steel(place, request); });
   router.add("GET", "/tools/{}",
              [&place](const Request& request) { return get_tool(place, request.words[0]); });
   router.add("PUT", "/tools/{}", [&place](const Request& request) { return put_tool(place, request); });
+  router.add("POST", "/tools/{}/restore",
+             [&place](const Request& request) { return restore_tool(place, request); });
 }
 
 }  // namespace rigsound::studio

@@ -39,6 +39,7 @@ struct Studio::Parts {
     add_bank_routes(router, place);
     add_live_routes(router, place);
     add_log_routes(router, place);
+    add_diesel_routes(router, place);
     add_steel_routes(router, place);
     add_listening_routes(router, place);
     add_trial_routes(router, place);

@@ -5,13 +5,10 @@
 #include <vector>
 
 #include "rigsound/analysis/chain.hpp"
+#include "rigsound/analysis/curve.hpp"
 #include "rigsound/click_bank.hpp"
 
 namespace rigsound::analysis {
-
-struct Curve {
-  std::vector<double> x, y;
-};
 
 /// Share of the values in each bin, and what the engine draws from in the same measure.
 struct Histogram {

@@ -17,9 +17,9 @@ const start = async (): Promise<void> => {
   document.body.replaceChildren(h('main', {}, h('header', {}, h('h1', {}, 'Rig'), h('p', {}, 'The sound set as the cabin plays it'), tools,
     button('Keys', () => keys.show(), { 'aria-keyshortcuts': '?' })), place));
   try {
-    const facts = JSON.parse(rig) as Rig, [engine, planes] = await Promise.all(texts.map(inflated)) as [Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>], set = fromPlanes(planes);
+    const [engine, planes] = await Promise.all(texts.map(inflated)) as [Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>], set = fromPlanes(planes);
     const view = await openRigView(place, tools, { parts: { module: await WebAssembly.compile(engine), worklet }, set,
-      rig: facts, rocks: facts.rocks ?? [], logs: [], timelineOf: () => Promise.reject(new Error('no logs here')) });
+      rig: JSON.parse(rig) as Rig, logs: [], timelineOf: () => Promise.reject(new Error('no logs here')) });
     keys.ofPage(view.shortcuts);
   } catch (error) {
     place.replaceChildren(failed(error));

@@ -16,15 +16,15 @@ const bytesOf = (text: string): Uint8Array => Uint8Array.from(`${text}\0`, (lett
 
 export class Engine {
   private readonly exports: Exports;
-  private readonly rig: number;
-  private readonly out: number;
   private readonly scratch: number;
   private readonly names = new Map<string, number>();
+  private rig = 0;
+  private out = 0;
   private samples = new Float32Array(0);
-  readonly rate: number;
-  readonly block: number;
-  readonly channels: number;
-  readonly booms: number;
+  rate = 0;
+  block = 0;
+  channels = 0;
+  booms = 0;
 
   /** Throws an Error with the engine's own line when the set cannot be played. */
   constructor(module: WebAssembly.Module, set: Uint8Array) {
@@ -33,6 +33,13 @@ export class Engine {
       wasi_snapshot_preview1: { proc_exit: (code: number) => { throw new Error(`the engine ended with ${code}`); } },
     }).exports as Exports;
     this.call('_initialize');
+    this.scratch = this.call('malloc', Math.max(kLevelBytes, kDrillingBytes));
+    this.open(set);
+  }
+
+  /** Another set in place of this one, in the same memory. Throws as the constructor; nothing can be played then. */
+  open(set: Uint8Array): void {
+    if (this.rig !== 0) this.call('rigsound_close', this.rig);
     const at = this.put(set);
     this.rig = this.call('rigsound_open_memory', at, set.length);
     this.call('free', at);
@@ -41,8 +48,9 @@ export class Engine {
     this.block = this.call('rigsound_block', this.rig);
     this.channels = this.call('rigsound_channels', this.rig);
     this.booms = this.call('rigsound_booms', this.rig);
+    if (this.out !== 0) this.call('free', this.out);
     this.out = this.call('malloc', this.block * this.channels * 4);
-    this.scratch = this.call('malloc', Math.max(kLevelBytes, kDrillingBytes));
+    this.samples = new Float32Array(0);
   }
 
   /** Throws an Error with the engine's own line when the value is refused. */

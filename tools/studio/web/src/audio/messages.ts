@@ -12,6 +12,8 @@ export interface ProcessorOptions {
 
 export type ToEngine =
   | { kind: 'change'; change: Change }
+  /** `change` for one block, then `back`: what is told at once would cancel itself. */
+  | { kind: 'pulse'; change: Change; back: Change }
   /** Another packed set, from its first block on, with what was set so far. */
   | { kind: 'load'; set: Uint8Array }
   /** The changes of a timeline from `from_frame` on; the rig starts anew, in the state it then has. */

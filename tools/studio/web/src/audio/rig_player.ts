@@ -14,6 +14,7 @@ type LevelsMessage = Extract<FromEngine, { kind: 'levels' }>;
 export class RigPlayer {
   onLevels: (levels: LevelsMessage) => void = () => undefined;
   onProblem: (line: string) => void = () => undefined;
+  private readonly loading: (() => void)[] = [];
 
   private constructor(readonly context: BaseAudioContext, readonly node: AudioWorkletNode, readonly facts: Facts) {}
 
@@ -35,7 +36,13 @@ export class RigPlayer {
   }
 
   change(change: Change): void { this.say({ kind: 'change', change }); }
-  load(set: Uint8Array): void { this.say({ kind: 'load', set }); }
+  /** `change` for one block of the rig, then `back`. */
+  pulse(change: Change, back: Change): void { this.say({ kind: 'pulse', change, back }); }
+  /** Resolves once the set plays, or cannot. The audio thread is busy with it: more than one at a time would silence it. */
+  load(set: Uint8Array): Promise<void> {
+    this.say({ kind: 'load', set });
+    return new Promise((done) => { this.loading.push(done); });
+  }
   play(changes: TimedChange[], fromFrame: number): void { this.say({ kind: 'play', changes, fromFrame }); }
   pause(): void { this.say({ kind: 'pause' }); }
 
@@ -47,6 +54,7 @@ export class RigPlayer {
   private say(message: ToEngine): void { this.node.port.postMessage(message); }
 
   private hear(message: FromEngine): void {
+    if (message.kind === 'ready' || message.kind === 'failed') this.loading.shift()?.();
     if (message.kind === 'levels') this.onLevels(message);
     else if (message.kind !== 'ready') this.onProblem(message.error);
   }

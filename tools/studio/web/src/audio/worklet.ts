@@ -17,6 +17,7 @@ class RigProcessor extends AudioWorkletProcessor {
   private set: Uint8Array;
   private engine: Engine | null = null;
   private readonly state = new Map<string, Change>();
+  private readonly pulses: { change: Change; back: Change }[] = [];
   private changes: TimedChange[];
   private next = 0;
   private frame = 0;
@@ -41,8 +42,9 @@ class RigProcessor extends AudioWorkletProcessor {
 
   private open(): void {
     try {
-      const engine = new Engine(this.module, this.set);
-      if (engine.rate !== sampleRate && this.engine !== null) throw new Error(`the set wants ${engine.rate} Hz`);
+      const before = this.engine, engine = before ?? new Engine(this.module, this.set);
+      if (before) before.open(this.set);
+      if (engine.rate !== sampleRate && before) throw new Error(`the set wants ${engine.rate} Hz`);
       this.engine = engine;
       this.block = new Float32Array(0);
       this.taken = 0;
@@ -65,6 +67,7 @@ class RigProcessor extends AudioWorkletProcessor {
 
   private take(message: ToEngine): void {
     if (message.kind === 'change') this.apply(message.change);
+    else if (message.kind === 'pulse') this.pulses.push(message);
     else if (message.kind === 'load') {
       this.set = message.set;
       this.open();
@@ -89,7 +92,10 @@ class RigProcessor extends AudioWorkletProcessor {
     for (let n = 0; n < left.length; ++n) {
       if (this.taken * engine.channels >= this.block.length) {
         if (this.playing) this.applyDue();
+        const pulse = this.pulses.shift();
+        if (pulse) this.apply(pulse.change);
         this.block = engine.process();
+        if (pulse) this.apply(pulse.back);
         this.taken = 0;
         if (this.playing) this.frame += engine.block;
       }

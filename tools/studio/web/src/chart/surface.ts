@@ -1,4 +1,5 @@
 // A canvas that keeps the size of its box and the colours of the theme, with scales on two sides.
+import { reduced } from './reduced_line';
 
 export interface Margins { left: number; right: number; top: number; bottom: number }
 export interface Scale { from: number; to: number; log?: boolean; unit: string; words?: string[]; plain?: boolean }
@@ -118,9 +119,9 @@ export class Surface {
     paint.rect(inner.x, inner.y, inner.width, inner.height);
     paint.clip();
     paint.beginPath();
+    const line = points.map(([px, py]) => [this.x(px), this.y(py)] as const);
     let before = 0;
-    points.forEach(([px, py], n) => {
-      const x = this.x(px), y = this.y(py);
+    (options.steps ? line : reduced(line)).forEach(([x, y], n) => {
       if (n === 0) paint.moveTo(x, y);
       else {
         if (options.steps) paint.lineTo(x, before);

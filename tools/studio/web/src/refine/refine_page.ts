@@ -5,7 +5,7 @@ import { outputAt, resume } from '../audio/output';
 import { RigPlayer } from '../audio/rig_player';
 import { spectrumView } from '../audio/scope';
 import { servedParts } from '../audio/served_parts';
-import { loadSound } from '../audio/sound_files';
+import { soundFor } from '../audio/sound_files';
 import { h } from '../dom/element';
 import { button, slider, type Field } from '../dom/fields';
 import { editButtons } from '../edit/edit_buttons';
@@ -14,8 +14,7 @@ import { controlSlider } from '../rig/controls';
 import type { Rig, SoundSet } from '../server/documents';
 import { askBytes, askJson, ServerError } from '../server/request';
 import type { Opened, Page } from '../shell/page';
-import type { Shortcut } from '../shell/shortcuts';
-import { failed, loading } from '../shell/states';
+import { workFrame } from '../shell/work_frame';
 import { clickGrid } from './click_grid';
 import { changesOf, neutralOf, packedPath } from './refinement';
 
@@ -55,7 +54,7 @@ const openBank = async (name: string, rig: Rig, writable: boolean, work: HTMLEle
   });
   const hearClick = async (index: number): Promise<void> => {
     try {
-      const source = new AudioBufferSourceNode(context, { buffer: await loadSound(`/banks/${name}/clicks/${index}`) });
+      const source = new AudioBufferSourceNode(context, { buffer: await soundFor(context, `/banks/${name}/clicks/${index}`) });
       await resume();
       source.connect(context.destination);
       source.start();
@@ -65,7 +64,7 @@ const openBank = async (name: string, rig: Rig, writable: boolean, work: HTMLEle
   };
   const reload = async (dropped: number[]): Promise<void> => {
     const set = await askBytes(packedPath(name, clicks, dropped));
-    if (history.value.dropped.join() === dropped.join()) player.load(set);
+    if (history.value.dropped.join() === dropped.join()) void player.load(set);
   };
   const show = (value: Refinement): void => {
     fields.forEach((field, control) => field.set(value.controls[control] ?? rig.controls.find((each) => each.name === control)?.neutral ?? 0));
@@ -134,33 +133,11 @@ export const refinePage: Page = {
       place.replaceChildren(noBanks());
       return { close: () => undefined };
     }
-    const work = h('div', { class: 'stack' }), shortcuts: Shortcut[] = [];
-    let opened: Opened | null = null, turn = 0;
-    const show = async (name: string): Promise<void> => {
-      const lost = opened?.unsaved?.();
-      if (lost && !confirm(`${lost} Leave it all the same?`)) return;
-      const mine = ++turn;
-      opened?.close();
-      opened = null;
-      list.show(name);
-      tools.replaceChildren();
-      work.replaceChildren(loading('Reading the bank'));
-      try {
-        // Another bank may be chosen before this one is there.
-        const place = h('div', { class: 'stack' }), actions = h('div', { class: 'row' });
-        const made = await openBank(name, rig, state.writable, place, actions);
-        if (mine !== turn) return made.close();
-        opened = made;
-        work.replaceChildren(place);
-        tools.replaceChildren(actions);
-        shortcuts.splice(0, shortcuts.length, ...(made.shortcuts ?? []));
-      } catch (error) {
-        if (mine === turn) work.replaceChildren(failed(error, () => void show(name)));
-      }
-    };
-    const list = bankList(sounds, (name) => void show(name));
-    place.replaceChildren(h('div', { class: 'columns with-list' }, list.element, work));
-    void show(first.name);
-    return { shortcuts, unsaved: () => opened?.unsaved?.() ?? null, close: () => { ++turn; opened?.close(); } };
+    const frame = workFrame('Reading the bank', (name, own, buttons) => openBank(name, rig, state.writable, own, buttons), (name) => list.show(name));
+    const list = bankList(sounds, (name) => void frame.show(name));
+    tools.replaceChildren(frame.actions);
+    place.replaceChildren(h('div', { class: 'columns with-list' }, list.element, frame.work));
+    void frame.show(first.name);
+    return frame.opened;
   },
 };

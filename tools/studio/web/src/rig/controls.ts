@@ -30,7 +30,7 @@ export interface RigControls {
   all(): Change[];
 }
 
-export const rigControls = (rig: Rig, rocks: string[], change: (change: Change) => void): RigControls => {
+export const rigControls = (rig: Rig, change: (change: Change) => void): RigControls => {
   const signal = (name: string): Signal => rig.signals.find((each) => each.name === name) as Signal;
   const values = new Map<string, Change>();
   const fields = new Map<string, Field<number>>();
@@ -61,8 +61,8 @@ export const rigControls = (rig: Rig, rocks: string[], change: (change: Change) 
     const field = choice('Rattling', words.map((word, n) => [String(n), word] as const), '0', (value) => run(Number(value)));
     return { element: field.element, set: (value: number) => field.set(String(value)) };
   }).element;
-  const rock = rocks.length < 2 ? null : add('set', 'rock', 0, (run) => {
-    const field = pick('Rock', rocks.map((name, n) => [String(n), name || `rock ${n}`] as const), '0', (value) => run(Number(value)));
+  const rock = rig.rocks.length < 2 ? null : add('set', 'rock', 0, (run) => {
+    const field = pick('Rock', rig.rocks.map((name, n) => [String(n), name || `rock ${n}`] as const), '0', (value) => run(Number(value)));
     return { element: field.element, set: (value: number) => field.set(String(value)) };
   }).element;
   const signals = h('div', { class: 'panel stack' }, plain('engine_rpm', 'Diesel', 10, 1500, { 0: 'off' }), rattling,

@@ -15,7 +15,7 @@ export const rigPage: Page = {
       return { close: () => undefined };
     }
     const [parts, set, rig] = await Promise.all([servedParts(), askBytes('/sound_set.rigset?rig=1'), askJson<Rig>('/rig')]);
-    return openRigView(place, tools, { parts, set, rig, rocks: sounds.rocks.map(({ name }) => name), logs: state.logs,
+    return openRigView(place, tools, { parts, set, rig, logs: state.logs,
       timelineOf: (id) => askJson<Timeline>(`/logs/${id}/timeline`) });
   },
 };

@@ -17,7 +17,6 @@ export interface RigViewOptions {
   parts: Parts;
   set: Uint8Array;
   rig: Rig;
-  rocks: string[];
   logs: { id: string; name: string }[];
   timelineOf(id: string): Promise<Timeline>;
 }
@@ -34,7 +33,7 @@ export const openRigView = async (place: HTMLElement, tools: HTMLElement, option
 
   const problem = h('p', { class: 'note', role: 'status' });
   player.onProblem = (line) => { problem.textContent = line; };
-  const controls = rigControls(rig, options.rocks, (change) => {
+  const controls = rigControls(rig, (change) => {
     problem.textContent = '';
     player.change(change);
   });

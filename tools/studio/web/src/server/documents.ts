@@ -20,8 +20,8 @@ export interface Control { name: string; unit: string; min: number; max: number;
 
 export interface Rig {
   rate: number; block: number; channels: number; booms: string[]; seed: number;
-  feed: { contact_bar: number; underfeed_bar: number; overfeed_bar: number };
-  rocks?: string[];
+  feed: { contact_bar: number; underfeed_bar: number; overfeed_bar: number; normal_bar: number };
+  rocks: string[];
   signals: Signal[]; controls: Control[];
 }
 

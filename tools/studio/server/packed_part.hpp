@@ -1,0 +1,23 @@
+// What engine.wasm plays while one part of the sound set is worked on: that part, on one boom, with the
+// options of the rig. Errors: ApiError, InputError. Thread: any.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rigsound/tool_model.hpp"
+#include "workplace.hpp"
+
+namespace rigsound::studio {
+
+/// One bank, as analysed, serves every situation. `clicks`: those that stay; empty: all.
+std::string packed_bank(const Workplace& place, const std::string& bank, const std::vector<int>& clicks);
+
+/// One diesel; the hammer is silent.
+std::string packed_background(const Workplace& place, const std::string& background);
+
+/// `steel` rings under the impacts of a bank, as refined; an empty `bank`: under even ones without clicks, 24
+/// a second. It brings its design.
+std::string packed_steel(const Workplace& place, const ToolModel& steel, const std::string& bank);
+
+}  // namespace rigsound::studio
