@@ -18,7 +18,7 @@ constexpr std::uintmax_t kMostToolBytes = 4 << 20;
 
 /// The numbers of a list of fields with what they may be.
 struct NumberRanges {
-  Json json;
+  Json& json;
   void operator()(const char* key, const double& value, const Range& range) {
     json[key] = {{"value", value}, {"min", range.min}, {"max", range.max}, {"unit", range.unit}};
   }
@@ -26,9 +26,10 @@ struct NumberRanges {
 
 template <class Options>
 Json ranges_of(const Options& options) {
-  NumberRanges ranges;
+  Json json;
+  NumberRanges ranges{json};
   visit(ranges, options);
-  return ranges.json;
+  return json;
 }
 
 DecayWish wish_of(const Json& body, const char* key) {
