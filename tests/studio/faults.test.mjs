@@ -126,7 +126,9 @@ test('of two tabs the second to save is told, and nothing of either is lost', as
 });
 
 test('a program that was killed is told; its next one takes what was drawn meanwhile', async () => {
-  const { page, close } = await openAnnotate(), { port } = new URL(studio.address), rows = await page.locator('.parts tbody tr').count();
+  const { page, close } = await openAnnotate(), { port } = new URL(studio.address), rows = 1;
+  // What the second tab kept.
+  await page.locator('.parts tbody tr').first().waitFor();
   await studio.kill();
   await addPart(page, 6.5, 7.5);
   await page.getByRole('button', { name: 'Save' }).click();
@@ -150,6 +152,7 @@ test('a full disk is told, leaves the file as it was, and is tried again', async
   await studio.stop();
   studio = await startStudioIn({ LD_PRELOAD: failingCalls, RIGSOUND_FAULT: `${place('recordings')} write 1` }, place('sounds'), '--recordings', place('recordings'));
   const { page, close } = await openAnnotate(), kept = readFileSync(track(), 'utf8');
+  await page.locator('.parts tbody tr').first().waitFor();
   await addPart(page, 0.2, 0.8);
   await saveSays(page, /No space left/);
   await photograph(page, 'full_disk');

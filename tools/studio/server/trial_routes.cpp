@@ -17,7 +17,7 @@ double seconds_of(const Json& body, const char* key, double otherwise, const Ran
 
 /// The two that an ABX test is about.
 std::vector<std::string> pair_of(const Json& body) {
-  const std::vector<std::string> pair = body.at("pair").get<std::vector<std::string>>();
+  std::vector<std::string> pair = body.at("pair").get<std::vector<std::string>>();
   const std::vector<std::string>& known = trial_kinds();
   const bool fits = pair.size() == 2 && pair[0] != pair[1] &&
                     std::all_of(pair.begin(), pair.end(), [&](const std::string& kind) {
