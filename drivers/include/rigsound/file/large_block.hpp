@@ -1,5 +1,4 @@
-// Memory in the largest pages the machine has: the first touch of each page costs as much as copying it does,
-// or more.
+// Memory in the largest pages the machine has, for what is so large that the first touch of each page counts.
 #pragma once
 
 #include <cstddef>
