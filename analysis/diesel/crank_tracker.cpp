@@ -12,7 +12,7 @@
 namespace rigsound::analysis {
 namespace {
 
-using Signal = std::vector<double>;
+using Wave = std::vector<double>;
 
 constexpr int G = 512;  // template samples a cycle
 constexpr double kBandLow_hz = 30, kBandHigh_hz = 1500;
@@ -22,13 +22,13 @@ constexpr double kSmoothing = 10;  // Whittaker's lambda
 constexpr double kWindow = 0.10;   // how far off a given speed may be to be found at all
 
 /// The part of the sound that a cycle repeats, sampled no finer than the template can hold.
-Signal tracking_band(const Signal& x, double f0) {
+Wave tracking_band(const Wave& x, double f0) {
   const double high = std::min(kBandHigh_hz, 0.4 * G * f0);
   return zero_phase_low_pass(zero_phase_high_pass(x, kBandLow_hz, kAnalysisRate), high, kAnalysisRate);
 }
 
 /// Cubic Hermite through marks at 0, 1, 2, ...: slopes are central differences.
-double between_marks(const Signal& marks, double cycle) {
+double between_marks(const Wave& marks, double cycle) {
   const auto size = static_cast<std::ptrdiff_t>(marks.size());
   const auto i = std::clamp(static_cast<std::ptrdiff_t>(std::floor(cycle)), std::ptrdiff_t{0}, size - 2);
   const auto mark = [&](std::ptrdiff_t j) {
@@ -46,10 +46,10 @@ struct Match {
 };
 
 /// The shift of the middle cycle of `two` (2 G samples) that fits the template best.
-Match best_match(const double* two, const Signal& tmpl, int reach) {
+Match best_match(const double* two, const Wave& tmpl, int reach) {
   double norm = 0;
   for (const double v : tmpl) norm += v * v;
-  Signal c;
+  Wave c;
   for (int d = -reach; d <= reach; ++d) {
     double dot = 0, energy = 0;
     for (int i = 0; i < G; ++i) {
@@ -66,17 +66,17 @@ Match best_match(const double* two, const Signal& tmpl, int reach) {
 }
 
 /// Two cycles around mark + cycle, from half a cycle before it.
-Signal two_cycles(const Signal& band, double start, double period) {
-  Signal positions;
+Wave two_cycles(const Wave& band, double start, double period) {
+  Wave positions;
   for (int i = -G / 2; i < G + G / 2; ++i) positions.push_back(start + period * i / G);
   return interpolated(band, positions, kQuickSinc);
 }
 
-Signal running_marks(const Signal& band, double period) {
-  Signal marks, tmpl;
+Wave running_marks(const Wave& band, double period) {
+  Wave marks, tmpl;
   double at = period, T = period;
   while (at + 2 * T < static_cast<double>(band.size())) {
-    Signal two = two_cycles(band, at, T);
+    Wave two = two_cycles(band, at, T);
     if (tmpl.empty()) tmpl.assign(two.begin() + G / 2, two.begin() + G / 2 + G);
     const Match match = best_match(two.data(), tmpl, static_cast<int>(kSearch * G));
     const double trust = std::pow(std::clamp(match.correlation, 0.0, 1.0), 2);
@@ -91,7 +91,7 @@ Signal running_marks(const Signal& band, double period) {
 }
 
 /// Weighted smoothing of second differences (Whittaker 1923).
-Signal smoothed(const Signal& value, const Signal& weight) {
+Wave smoothed(const Wave& value, const Wave& weight) {
   const auto n = static_cast<Eigen::Index>(value.size());
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd right(n);
@@ -107,25 +107,25 @@ Signal smoothed(const Signal& value, const Signal& weight) {
   Eigen::SparseMatrix<double> matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
   const Eigen::VectorXd z = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(right);
-  return Signal(z.data(), z.data() + n);
+  return Wave(z.data(), z.data() + n);
 }
 
 /// One round: every cycle against the mean of its neighbours mixed with that of all (`global`, 0...1).
-double align(const Signal& band, Signal& marks, double global) {
+double align(const Wave& band, Wave& marks, double global) {
   const std::size_t cycles = marks.size() - 3;
-  Signal positions;
+  Wave positions;
   for (std::size_t r = 0; r < cycles; ++r)
     for (int i = -G / 2; i < G + G / 2; ++i)
       positions.push_back(between_marks(marks, static_cast<double>(r) + 1 + static_cast<double>(i) / G));
-  const Signal all = interpolated(band, positions, kQuickSinc);
-  Signal mean(G, 0.0), shift(cycles), weight(cycles);
+  const Wave all = interpolated(band, positions, kQuickSinc);
+  Wave mean(G, 0.0), shift(cycles), weight(cycles);
   for (std::size_t r = 0; r < cycles; ++r)
     for (std::size_t i = 0; i < G; ++i) mean[i] += all[r * 2 * G + G / 2 + i] / static_cast<double>(cycles);
   double correlation = 0;
   for (std::size_t r = 0; r < cycles; ++r) {
     const std::size_t low = r > kNeighbours ? r - kNeighbours : 0,
                       high = std::min(cycles, r + kNeighbours + 1);
-    Signal tmpl(G);
+    Wave tmpl(G);
     for (std::size_t i = 0; i < G; ++i) tmpl[i] = global * mean[i];
     for (std::size_t j = low; j < high; ++j)
       for (std::size_t i = 0; i < G; ++i)
@@ -135,8 +135,8 @@ double align(const Signal& band, Signal& marks, double global) {
     weight[r] = std::pow(std::clamp(match.correlation, 0.02, 1.0), 2);
     correlation += match.correlation / static_cast<double>(cycles);
   }
-  const Signal z = smoothed(shift, weight);
-  Signal moved = marks;
+  const Wave z = smoothed(shift, weight);
+  Wave moved = marks;
   for (std::size_t j = 0; j < marks.size(); ++j) {
     const std::size_t r = std::min(j > 0 ? j - 1 : 0, cycles - 1);
     const double T = j + 1 < marks.size() ? marks[j + 1] - marks[j] : marks[j] - marks[j - 1];
@@ -146,7 +146,7 @@ double align(const Signal& band, Signal& marks, double global) {
   return correlation;
 }
 
-CrankTrack refined(const Signal& band, Signal marks, double global) {
+CrankTrack refined(const Wave& band, Wave marks, double global) {
   CrankTrack track;
   if (marks.size() < 8) return track;
   for (int round = 0; round < kTrackingRounds; ++round) track.correlation = align(band, marks, global);
@@ -177,11 +177,11 @@ double CrankTrack::rpm() const {
 double repeating_rpm(const std::vector<double>& x, double rpm) {
   const double f0 = cycles_per_second(rpm);
   const int factor = 8;
-  const Signal band = decimated(tracking_band(x, f0), factor);
+  const Wave band = decimated(tracking_band(x, f0), factor);
   const double period = kAnalysisRate / factor / f0;
   std::size_t size = 1;
   while (size < 2 * band.size()) size *= 2;
-  Signal re(size, 0.0), im(size, 0.0);
+  Wave re(size, 0.0), im(size, 0.0);
   std::copy(band.begin(), band.end(), re.begin());
   const dsp::Fft<double> fft(static_cast<int>(size));
   fft.forward(re.data(), im.data());
@@ -202,13 +202,13 @@ double repeating_rpm(const std::vector<double>& x, double rpm) {
 }
 
 CrankTrack track_steady(const std::vector<double>& x, double rpm) {
-  const Signal band = tracking_band(x, cycles_per_second(rpm));
+  const Wave band = tracking_band(x, cycles_per_second(rpm));
   return refined(band, running_marks(band, rpm_of_cycles(kAnalysisRate) / rpm), 0.5);
 }
 
 CrankTrack track_logged(const std::vector<double>& x, const std::vector<double>& rpm) {
   double slowest = rpm.front(), angle = 0;
-  Signal marks;
+  Wave marks;
   for (std::size_t n = 0; n < std::min(x.size(), rpm.size()); ++n) {
     slowest = std::min(slowest, rpm[n]);
     const double step = cycles_per_second(rpm[n]) / kAnalysisRate;

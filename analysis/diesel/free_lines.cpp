@@ -13,7 +13,7 @@
 namespace rigsound::analysis {
 namespace {
 
-using Signal = std::vector<double>;
+using Wave = std::vector<double>;
 using Complex = std::complex<double>;
 
 constexpr int kPredictor = 4, kFewestFrames = 60;
@@ -26,7 +26,7 @@ constexpr double kBlock_s = 1;         // in which level and phase of a line are
 
 /// The residual over time or over crank angle, cut into M channels.
 struct View {
-  const Signal& y;
+  const Wave& y;
   double rate = 0;  // samples a second or a cycle
   int M = 0;
   double orders = 1;  // one unit of frequency, in orders
@@ -48,15 +48,15 @@ struct Candidate {
 bool is_between_orders(double order) { return std::fabs(order - std::round(order)) > kFlutter; }
 
 /// Power over prediction error in the second half of `channel`, predicted by what fits the first.
-double prediction_gain(const Signal& channel) {
+double prediction_gain(const Wave& channel) {
   const std::size_t half = channel.size() / 2;
-  Signal r;
+  Wave r;
   for (std::size_t lag = 0; lag <= kPredictor; ++lag) {
     double sum = lag == 0 ? 1e-30 : 0;
     for (std::size_t i = 0; i + lag < half; ++i) sum += channel[i] * channel[i + lag];
     r.push_back(sum);
   }
-  const Signal a = dsp::levinson(r).a;
+  const Wave a = dsp::levinson(r).a;
   double power = 0, left = 1e-30;
   for (std::size_t i = half; i < channel.size(); ++i) {
     double e = 0;
@@ -68,13 +68,13 @@ double prediction_gain(const Signal& channel) {
 
 /// Channels that can be predicted and are louder than both neighbours.
 std::vector<int> predictable_channels(const View& view, double lowest, double highest) {
-  const Signal X = mdct_frames(view.y, view.M);
+  const Wave X = mdct_frames(view.y, view.M);
   const int frames = static_cast<int>(X.size()) / view.M;
   std::vector<int> found;
   if (frames < kFewestFrames) return found;
   const int first = std::max(1, static_cast<int>(lowest / view.width()));
   const int last = std::min(view.M - 2, static_cast<int>(highest / view.width()));
-  Signal power;
+  Wave power;
   for (int q = first - 1; q <= last + 1; ++q) {
     power.push_back(0);
     for (int r = 1; r + 1 < frames; ++r) power.back() += X[r * view.M + q] * X[r * view.M + q];
@@ -82,7 +82,7 @@ std::vector<int> predictable_channels(const View& view, double lowest, double hi
   for (int q = first; q <= last; ++q) {
     const auto i = static_cast<std::size_t>(q - first + 1);
     if (power[i] < power[i - 1] || power[i] < power[i + 1]) continue;
-    Signal channel;
+    Wave channel;
     for (int r = 1; r + 1 < frames; ++r) channel.push_back(X[r * view.M + q]);
     if (prediction_gain(channel) > kClear) found.push_back(q);
   }
@@ -94,7 +94,7 @@ double wrapped(double turns) { return turns - std::floor(turns); }
 
 /// Sums of `x` in Hann windows of two hops, half overlapped, turned down by `phase` (cycles) of every sample.
 template <class Phase>
-std::vector<Complex> turned_down(const Signal& x, std::size_t hop, Phase phase) {
+std::vector<Complex> turned_down(const Wave& x, std::size_t hop, Phase phase) {
   std::vector<Complex> z;
   for (std::size_t at = 0; at + 2 * hop <= x.size(); at += hop) {
     Complex sum = 0;
@@ -119,7 +119,7 @@ std::optional<Peak> peak_in(const View& view, int q) {
   const std::vector<Complex> z = baseband(view, centre);
   int size = 1;
   while (size < 4 * static_cast<int>(z.size())) size *= 2;
-  Signal re(static_cast<std::size_t>(size), 0.0), im(re.size(), 0.0);
+  Wave re(static_cast<std::size_t>(size), 0.0), im(re.size(), 0.0);
   for (std::size_t b = 0; b < z.size(); ++b) {
     const double hann =
         0.5 - 0.5 * std::cos(2 * M_PI * (static_cast<double>(b) + 0.5) / static_cast<double>(z.size()));
@@ -157,7 +157,7 @@ std::vector<Peak> peaks_of(const View& view, double lowest, double highest) {
 }
 
 /// Half the complex amplitude of a line in blocks of kBlock_s, half overlapped.
-std::vector<Complex> envelope(const Signal& x, const Signal& phase) {
+std::vector<Complex> envelope(const Wave& x, const Wave& phase) {
   const auto hop = static_cast<std::size_t>(kBlock_s * kAnalysisRate / 2);
   std::vector<Complex> c = turned_down(x, hop, [&](std::size_t n) { return phase[n]; });
   for (Complex& block : c) block /= static_cast<double>(hop);
@@ -165,8 +165,8 @@ std::vector<Complex> envelope(const Signal& x, const Signal& phase) {
 }
 
 /// Phase of a line at every sample, cycles in 0...1.
-Signal phase_of(const Section& s, double frequency, Lock lock) {
-  Signal phase;
+Wave phase_of(const Section& s, double frequency, Lock lock) {
+  Wave phase;
   phase.reserve(s.theta.size());
   for (std::size_t n = 0; n < s.theta.size(); ++n) {
     const double turns =
@@ -285,7 +285,7 @@ std::vector<FreeLine> free_lines(const std::vector<SectionResidual>& residuals, 
 }
 
 std::vector<double> without_line(const Section& section, std::vector<double> x, double frequency, Lock lock) {
-  const Signal phase = phase_of(section, frequency, lock);
+  const Wave phase = phase_of(section, frequency, lock);
   const std::vector<Complex> c = envelope(x, phase);
   if (c.empty()) return x;
   const double hop = kBlock_s * kAnalysisRate / 2;

@@ -127,11 +127,11 @@ double speed(const std::vector<double>& theta, std::size_t from, std::size_t to)
 
 /// Ends of the pieces in which the speed stays within kCut.
 std::vector<std::size_t> cuts(const DieselTake& take, const std::vector<double>& theta) {
-  constexpr std::size_t kStep = 4800;
+  constexpr std::size_t kSpeedEvery = 4800;
   std::vector<std::size_t> ends;
   double low = 1e9, high = 0;
-  for (std::size_t n = 0; n + kStep < theta.size(); n += kStep) {
-    const double f = speed(theta, n, n + kStep + 1);
+  for (std::size_t n = 0; n + kSpeedEvery < theta.size(); n += kSpeedEvery) {
+    const double f = speed(theta, n, n + kSpeedEvery + 1);
     low = std::min(low, f), high = std::max(high, f);
     if (high / low < kCut) continue;
     if (take.rpm_log.empty())

@@ -13,9 +13,9 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr std::size_t kHop = 240, kFrame = 2400, kFft = 8192;
+constexpr std::size_t kPitchHop = 240, kFrame = 2400, kFft = 8192;
 constexpr double kLowestPitch_hz = 60, kHighestPitch_hz = 1500;
-constexpr double kPeriodic = 0.85, kSteady = 0.03, kShortest_s = 0.3;
+constexpr double kPeriodic = 0.85, kSteady = 0.03, kShortestPitch_s = 0.3;
 constexpr double kRisen = 0.25, kAudible = 0.02;  // of the loudest energy: before is attack, below is decay
 constexpr double kPhaseBand_hz = 25;  // vibrato is inside, the neighbouring harmonics are far outside
 
@@ -89,7 +89,7 @@ NotePitch pitch_of(const std::string& source, const std::vector<double>& x) {
   const dsp::Fft<double> fft(static_cast<int>(kFft));
   std::vector<Frame> frames;
   double loudest = 0;
-  for (std::size_t at = 0; at + kFrame <= x.size(); at += kHop) {
+  for (std::size_t at = 0; at + kFrame <= x.size(); at += kPitchHop) {
     frames.push_back(frame_pitch(x, at, fft));
     loudest = std::max(loudest, frames.back().energy);
   }
@@ -103,10 +103,10 @@ NotePitch pitch_of(const std::string& source, const std::vector<double>& x) {
                         std::fabs(frames[i].hz / pitch.f0 - 1) < kSteady;
     if (steady) continue;
     if (i - begin > longest)
-      longest = i - begin, pitch.from = begin * kHop, pitch.to = (i - 1) * kHop + kFrame;
+      longest = i - begin, pitch.from = begin * kPitchHop, pitch.to = (i - 1) * kPitchHop + kFrame;
     begin = i + 1;
   }
-  if (static_cast<double>(longest * kHop) < kShortest_s * kAnalysisRate)
+  if (static_cast<double>(longest * kPitchHop) < kShortestPitch_s * kAnalysisRate)
     throw InputError(source, "holds no steady pitch between 60 and 1500 Hz, expected 0.3 s at least");
 
   std::vector<double> steady(x.begin() + static_cast<std::ptrdiff_t>(pitch.from),

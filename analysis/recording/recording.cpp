@@ -20,7 +20,7 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr int kRate = static_cast<int>(kAnalysisRate);
+constexpr int kReadRate = static_cast<int>(kAnalysisRate);
 
 /// What to read the recording from, a pipe too.
 InputFile input_of(const std::filesystem::path& path) {
@@ -119,12 +119,14 @@ class StretchReader {
   }
 
   bool silent() const { return extent_.silent(); }
-  size_t length() const { return resampled_length(static_cast<size_t>(samples_), info_.samplerate, kRate); }
+  size_t length() const {
+    return resampled_length(static_cast<size_t>(samples_), info_.samplerate, kReadRate);
+  }
 
   /// Hands out the sound at kAnalysisRate.
   RecordingFacts read(const PieceListener& listener) {
     FlatTops tops(extent_.peak());
-    Resampler resampler(info_.samplerate, kRate, static_cast<size_t>(samples_));
+    Resampler resampler(info_.samplerate, kReadRate, static_cast<size_t>(samples_));
     each([&](const std::vector<float>& piece) {
       tops.add(piece);
       listener(resampler.process(piece));

@@ -22,11 +22,11 @@ constexpr double kEnvelopeRangeDb = 50;
 constexpr int kEnvelopeBlock = 24;  // samples, half a millisecond
 constexpr int kWhitenerOrder = 64;
 
-using Course = std::vector<double>;  // power of each block after an onset
+using PowerCourse = std::vector<double>;  // power of each block after an onset
 
 /// Mean over all clicks, up to one period.
-Course mean_course(const std::vector<int>& P, const std::vector<float>& x) {
-  Course power(static_cast<std::size_t>(median_gap(P) / kEnvelopeBlock), 0.0);
+PowerCourse mean_course(const std::vector<int>& P, const std::vector<float>& x) {
+  PowerCourse power(static_cast<std::size_t>(median_gap(P) / kEnvelopeBlock), 0.0);
   for (const int onset : P)
     for (std::size_t n = 0; n < power.size() * kEnvelopeBlock && onset + n < x.size(); ++n)
       power[n / kEnvelopeBlock] += static_cast<double>(x[onset + n]) * x[onset + n];
@@ -34,9 +34,9 @@ Course mean_course(const std::vector<int>& P, const std::vector<float>& x) {
 }
 
 /// What the fitted train predicts for the same blocks: its own click and the tails of those before.
-Course fitted_course(const ClickEnvelope& shape, double period, std::size_t blocks) {
+PowerCourse fitted_course(const ClickEnvelope& shape, double period, std::size_t blocks) {
   constexpr int kTails = 6;
-  Course power(blocks, 0.0);
+  PowerCourse power(blocks, 0.0);
   for (std::size_t n = 0; n < blocks * kEnvelopeBlock; ++n)
     for (int k = 0; k <= kTails; ++k) {
       const double a = envelope(shape, static_cast<double>(n) + k * period);
@@ -46,7 +46,7 @@ Course fitted_course(const ClickEnvelope& shape, double period, std::size_t bloc
 }
 
 /// dB, 0 at the mean of a flat course: curves of the same energy lie on one another.
-Course in_decibels(Course power) {
+PowerCourse in_decibels(PowerCourse power) {
   const double mean = std::accumulate(power.begin(), power.end(), 0.0) / static_cast<double>(power.size());
   for (double& p : power) p = 10 * std::log10(std::max(p / std::max(mean, 1e-30), 1e-9));
   return power;
@@ -62,14 +62,14 @@ std::vector<float> whitened(const std::vector<float>& x) {
 std::string envelope_panel(const ChainResult& segment) {
   const double period = median_gap(segment.clicks.P);
   const std::vector<float> drilling = segment.drilling.all();
-  const Course recorded = in_decibels(mean_course(segment.clicks.P, drilling)),
-               white = in_decibels(mean_course(segment.clicks.P, whitened(drilling))),
-               fit = in_decibels(fitted_course(segment.clicks.envelope, period, white.size()));
-  Course ms;
+  const PowerCourse recorded = in_decibels(mean_course(segment.clicks.P, drilling)),
+                    white = in_decibels(mean_course(segment.clicks.P, whitened(drilling))),
+                    fit = in_decibels(fitted_course(segment.clicks.envelope, period, white.size()));
+  PowerCourse ms;
   for (std::size_t b = 0; b < fit.size(); ++b)
     ms.push_back(1e3 * (static_cast<double>(b) + 0.5) * kEnvelopeBlock / kAnalysisRate);
   double top = 0, low = 0;
-  for (const Course* course : {&recorded, &white, &fit}) {
+  for (const PowerCourse* course : {&recorded, &white, &fit}) {
     top = std::max(top, *std::max_element(course->begin(), course->end()) + 2);
     low = std::min(low, *std::min_element(course->begin(), course->end()) - 2);
   }

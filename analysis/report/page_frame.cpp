@@ -6,7 +6,7 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr const char* kHead = R"(<!doctype html>
+constexpr const char* kDocumentHead = R"(<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
 <title>)";
 
@@ -51,7 +51,7 @@ a:focus-visible, audio:focus-visible { outline: 2px solid var(--first); outline-
 
 std::string page_start(const std::string& title, const std::string& style) {
   const std::string text = chart::markup_text(title);
-  return kHead + text + " · rigsound</title>\n<style>\n" + chart::page_colours() + kPageStyle +
+  return kDocumentHead + text + " · rigsound</title>\n<style>\n" + chart::page_colours() + kPageStyle +
          chart::chart_styles() + style + "</style></head><body>\n<h1 id=\"top\">" + text + "</h1>\n";
 }
 

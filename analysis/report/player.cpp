@@ -30,7 +30,7 @@ double peak(const std::vector<float>& x) {
   return highest;
 }
 
-std::string decibels(double gain) {
+std::string decibel_text(double gain) {
   const double db = 20 * std::log10(gain);
   return fmt::format("{}{:.1f} dB", db < -0.05 ? "−" : "+", std::fabs(db));
 }
@@ -60,8 +60,8 @@ std::string player(const HeardSounds& sounds) {
              "<figcaption>Sound, {:.1f} s from {:.1f} s on. Recorded and drilling are played {}, the one "
              "being a part of the other; synthesised {}, which makes its mean level that of the drilling. "
              "Keys 1, 2, 3 choose; time goes on.</figcaption>\n",
-             static_cast<double>(recorded.size()) / kAnalysisRate, sounds.start_s, decibels(gain),
-             decibels(gain * matched)) +
+             static_cast<double>(recorded.size()) / kAnalysisRate, sounds.start_s, decibel_text(gain),
+             decibel_text(gain * matched)) +
          take("recorded", recorded, gain) + take("drilling", drilling, gain) +
          take("synthesised", synthesised, gain * matched) + "</figure>\n";
 }

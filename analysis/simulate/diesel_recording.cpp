@@ -16,7 +16,7 @@ constexpr int kCylinders = 6, kTicks = 12, kPumpOrder = 18, kGearOrder = 94;
 constexpr double kDegree = 1.0 / 720, kPulse = 11 * kDegree, kLevel = 0.12;
 constexpr std::uint64_t kDieselSeed = 77;
 
-using Signal = std::vector<double>;
+using Wave = std::vector<double>;
 
 /// What makes this diesel this one: cylinders and ticks differ, always in the same way.
 struct Machine {
@@ -31,17 +31,17 @@ struct Machine {
 };
 
 /// Unit variance, nothing faster than about `bandwidth_hz`.
-Signal slow(SplitMix& draw, std::size_t samples, double rate, double bandwidth_hz) {
+Wave slow(SplitMix& draw, std::size_t samples, double rate, double bandwidth_hz) {
   const auto knots = static_cast<std::size_t>(static_cast<double>(samples) / rate * bandwidth_hz * 8) + 16;
-  const Signal white = draw.normals(knots + 8);
-  Signal knot(knots);
+  const Wave white = draw.normals(knots + 8);
+  Wave knot(knots);
   double power = 0;
   for (std::size_t i = 0; i < knots; ++i) {
     for (std::size_t j = 0; j < 9; ++j)
       knot[i] += white[i + j] * (0.5 - 0.5 * std::cos(2 * M_PI * (static_cast<double>(j) + 1) / 10));
     power += knot[i] * knot[i] / static_cast<double>(knots);
   }
-  Signal y(samples);
+  Wave y(samples);
   for (std::size_t n = 0; n < samples; ++n) {
     const double at = static_cast<double>(n) / static_cast<double>(samples) * static_cast<double>(knots - 1);
     const auto i = static_cast<std::size_t>(at);
@@ -51,8 +51,8 @@ Signal slow(SplitMix& draw, std::size_t samples, double rate, double bandwidth_h
 }
 
 /// Unit variance, 1/f from 1.5 Hz up: first-order noises an octave apart.
-Signal pink(SplitMix& draw, std::size_t samples) {
-  Signal sum(samples);
+Wave pink(SplitMix& draw, std::size_t samples) {
+  Wave sum(samples);
   constexpr int kOctaves = 12;
   for (int octave = 0; octave < kOctaves; ++octave) {
     const double pole = std::exp(-2 * M_PI * 1.5 * std::pow(2, octave) / kAnalysisRate);
@@ -63,9 +63,9 @@ Signal pink(SplitMix& draw, std::size_t samples) {
   return sum;
 }
 
-Signal crank_angle(const DieselRun& run, SplitMix& draw, Signal& rpm) {
-  const Signal wander = slow(draw, run.rpm.size(), kAnalysisRate, 1.0);
-  Signal theta(run.rpm.size());
+Wave crank_angle(const DieselRun& run, SplitMix& draw, Wave& rpm) {
+  const Wave wander = slow(draw, run.rpm.size(), kAnalysisRate, 1.0);
+  Wave theta(run.rpm.size());
   rpm.resize(theta.size());
   double angle = draw.uniform();
   for (std::size_t n = 0; n < theta.size(); ++n) {
@@ -76,7 +76,7 @@ Signal crank_angle(const DieselRun& run, SplitMix& draw, Signal& rpm) {
 }
 
 /// The sample (fractional) at which the crank reaches `angle`; negative when it does not.
-double sample_at(const Signal& theta, double angle) {
+double sample_at(const Wave& theta, double angle) {
   if (angle < theta.front() || angle >= theta.back()) return -1;
   const auto upper = std::upper_bound(theta.begin(), theta.end(), angle);
   const double a = *(upper - 1), b = *upper;
@@ -84,14 +84,14 @@ double sample_at(const Signal& theta, double angle) {
 }
 
 struct Combustion {
-  Signal pulses, bursts;
+  Wave pulses, bursts;
 };
 
-Combustion combustion(const DieselRun& run, const Machine& machine, const Signal& theta, SplitMix& draw) {
-  Combustion c{Signal(theta.size()), Signal(theta.size())};
+Combustion combustion(const DieselRun& run, const Machine& machine, const Wave& theta, SplitMix& draw) {
+  Combustion c{Wave(theta.size()), Wave(theta.size())};
   const auto first = static_cast<long>(std::floor(theta.front() * kCylinders)) - 2;
   const auto last = static_cast<long>(std::ceil(theta.back() * kCylinders)) + 1;
-  const Signal hunting = slow(draw, static_cast<std::size_t>(last - first), 1, 0.02);
+  const Wave hunting = slow(draw, static_cast<std::size_t>(last - first), 1, 0.02);
   for (long k = first; k < last; ++k) {
     const auto cylinder = static_cast<std::size_t>((k % kCylinders + kCylinders) % kCylinders);
     const double strength = (0.4 + 1.2 * run.load) * machine.strength[cylinder] *
@@ -114,7 +114,7 @@ Combustion combustion(const DieselRun& run, const Machine& machine, const Signal
   return c;
 }
 
-void add_ticks(const Machine& machine, const Signal& theta, SplitMix& draw, double gain, Signal& x) {
+void add_ticks(const Machine& machine, const Wave& theta, SplitMix& draw, double gain, Wave& x) {
   for (int j = 0; j < kTicks; ++j)
     for (auto cycle = static_cast<long>(theta.front()) - 1; cycle <= static_cast<long>(theta.back());
          ++cycle) {
@@ -130,7 +130,7 @@ void add_ticks(const Machine& machine, const Signal& theta, SplitMix& draw, doub
 }
 
 /// Lines locked to the crank whose levels vary like 1/f.
-void add_lines(const Signal& theta, SplitMix& draw, Signal& x) {
+void add_lines(const Wave& theta, SplitMix& draw, Wave& x) {
   struct Line {
     int order;
     double level, depth, jitter;
@@ -139,7 +139,7 @@ void add_lines(const Signal& theta, SplitMix& draw, Signal& x) {
                              {3 * kPumpOrder, 0.05, 0.35, 0.25}, {4 * kPumpOrder, 0.03, 0.35, 0.25},
                              {kGearOrder, 0.04, 0.3, 0},         {2 * kGearOrder, 0.02, 0, 0}};
   for (const Line& line : kLines) {
-    const Signal level = pink(draw, x.size()), phase = slow(draw, x.size(), kAnalysisRate, 0.5);
+    const Wave level = pink(draw, x.size()), phase = slow(draw, x.size(), kAnalysisRate, 0.5);
     for (std::size_t n = 0; n < x.size(); ++n)
       x[n] += line.level * (1 + line.depth * level[n]) *
               std::sin(2 * M_PI * line.order * theta[n] + 0.07 * line.order + line.jitter * phase[n]);
@@ -153,13 +153,13 @@ DieselRecording simulate_diesel(const DieselRun& run) {
   SplitMix draw(run.seed);
   DieselRecording recording;
   recording.theta = crank_angle(run, draw, recording.rpm);
-  const Signal& theta = recording.theta;
+  const Wave& theta = recording.theta;
   Combustion c = combustion(run, machine, theta, draw);
 
-  Signal burst_noise = draw.normals(theta.size()), flow = draw.normals(theta.size());
+  Wave burst_noise = draw.normals(theta.size()), flow = draw.normals(theta.size());
   filter({highpass(500), one_pole(9000)}, burst_noise);
   filter({highpass(150, 0.5), one_pole(6000)}, flow);
-  Signal source(theta.size());
+  Wave source(theta.size());
   double before = 0;
   for (std::size_t n = 0; n < source.size(); ++n) {
     const double slope = (c.pulses[n] - before) * kAnalysisRate / 1500;

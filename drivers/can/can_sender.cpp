@@ -16,7 +16,7 @@
 namespace rigsound::can {
 namespace {
 
-[[noreturn]] void fail(const std::string& interface, const std::string& what, int error) {
+[[noreturn]] void fail_to_send(const std::string& interface, const std::string& what, int error) {
   throw DeviceError("CAN interface " + interface + ": " + what + ": " + std::strerror(error));
 }
 
@@ -24,16 +24,16 @@ namespace {
 
 CanSender::CanSender(const std::string& interface)
     : interface_(interface), fd_(::socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC, CAN_RAW)) {
-  if (!fd_) fail(interface, "no SocketCAN here", errno);
+  if (!fd_) fail_to_send(interface, "no SocketCAN here", errno);
   const int on = 1;
   ::setsockopt(fd_.get(), SOL_CAN_RAW, CAN_RAW_FD_FRAMES, &on, sizeof on);
   ::setsockopt(fd_.get(), SOL_CAN_RAW, CAN_RAW_FILTER, nullptr, 0);  // sends only
   sockaddr_can address{};
   address.can_family = AF_CAN;
   address.can_ifindex = static_cast<int>(::if_nametoindex(interface.c_str()));
-  if (address.can_ifindex == 0) fail(interface, "does not exist", errno);
+  if (address.can_ifindex == 0) fail_to_send(interface, "does not exist", errno);
   if (::bind(fd_.get(), reinterpret_cast<sockaddr*>(&address), sizeof address) != 0)
-    fail(interface, "cannot be bound", errno);
+    fail_to_send(interface, "cannot be bound", errno);
 }
 
 bool CanSender::send(const Frame& frame) {
@@ -41,7 +41,7 @@ bool CanSender::send(const Frame& frame) {
   const std::size_t size = to_kernel(frame, raw);
   while (::send(fd_.get(), &raw, size, 0) < 0) {
     if (errno == EINVAL || errno == EMSGSIZE) return false;
-    if (errno != ENOBUFS && errno != EINTR) fail(interface_, "cannot send", errno);
+    if (errno != ENOBUFS && errno != EINTR) fail_to_send(interface_, "cannot send", errno);
     ++waits_;
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }

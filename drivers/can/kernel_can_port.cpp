@@ -23,13 +23,13 @@ namespace {
 
 constexpr int kReceiveBuffer = 4 << 20;  // bytes: a second of a fully loaded FD bus
 
-[[noreturn]] void fail(const std::string& interface, const std::string& what) {
+[[noreturn]] void fail_at(const std::string& interface, const std::string& what) {
   throw DeviceError("CAN interface " + interface + " " + what);
 }
 
 void set(int fd, int level, int name, const void* value, socklen_t size, const CanSocketOptions& options) {
   if (::setsockopt(fd, level, name, value, size) != 0)
-    fail(options.interface, std::string("refuses a socket option: ") + std::strerror(errno));
+    fail_at(options.interface, std::string("refuses a socket option: ") + std::strerror(errno));
 }
 
 void set_on(int fd, int level, int name, const CanSocketOptions& options) {
@@ -40,12 +40,12 @@ void set_on(int fd, int level, int name, const CanSocketOptions& options) {
 // An interface that is down can be bound all the same; saying so here tells the user the fix.
 int index_of_running(int fd, const std::string& interface) {
   ifreq request{};
-  if (interface.size() >= IFNAMSIZ) fail(interface, "does not exist");
+  if (interface.size() >= IFNAMSIZ) fail_at(interface, "does not exist");
   interface.copy(request.ifr_name, IFNAMSIZ - 1);
-  if (::ioctl(fd, SIOCGIFINDEX, &request) != 0) fail(interface, "does not exist");
+  if (::ioctl(fd, SIOCGIFINDEX, &request) != 0) fail_at(interface, "does not exist");
   const int index = request.ifr_ifindex;
-  if (::ioctl(fd, SIOCGIFFLAGS, &request) != 0) fail(interface, "does not exist");
-  if ((request.ifr_flags & IFF_UP) == 0) fail(interface, "is down: `ip link set " + interface + " up`");
+  if (::ioctl(fd, SIOCGIFFLAGS, &request) != 0) fail_at(interface, "does not exist");
+  if ((request.ifr_flags & IFF_UP) == 0) fail_at(interface, "is down: `ip link set " + interface + " up`");
   return index;
 }
 
@@ -63,7 +63,7 @@ class KernelCanSocket : public CanSocket {
   explicit KernelCanSocket(const CanSocketOptions& options)
       : fd_(::socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC, CAN_RAW)) {
     if (!fd_)
-      fail(options.interface, std::string("cannot be used, no SocketCAN here: ") + std::strerror(errno));
+      fail_at(options.interface, std::string("cannot be used, no SocketCAN here: ") + std::strerror(errno));
     const int index = index_of_running(fd_.get(), options.interface);
     set_filters(fd_.get(), options);
     if (options.fd) set_on(fd_.get(), SOL_CAN_RAW, CAN_RAW_FD_FRAMES, options);
@@ -75,7 +75,7 @@ class KernelCanSocket : public CanSocket {
     address.can_family = AF_CAN;
     address.can_ifindex = index;
     if (::bind(fd_.get(), reinterpret_cast<sockaddr*>(&address), sizeof address) != 0)
-      fail(options.interface, std::string("cannot be bound: ") + std::strerror(errno));
+      fail_at(options.interface, std::string("cannot be bound: ") + std::strerror(errno));
     for (std::size_t i = 0; i < kMessages; ++i) {
       parts_[i] = {&raw_[i], sizeof raw_[i]};
       messages_[i].msg_hdr.msg_iov = &parts_[i];

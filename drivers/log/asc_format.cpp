@@ -1,4 +1,6 @@
 // Vector ASC (as CANalyzer, CANoe and python-can write it).
+#include <linux/can.h>
+
 #include <optional>
 
 #include "log/can_lines.hpp"
@@ -7,7 +9,7 @@
 namespace rigsound::log {
 namespace {
 
-constexpr std::uint32_t kStandardMax = 0x7FF, kExtendedMax = 0x1FFFFFFF, kMostChannels = 255;
+constexpr std::uint32_t kMostChannels = 255;
 constexpr std::uint32_t kFdFlag = 0x1000;  // EDL, in the flags of a CANFD line
 
 class AscFormat : public CanLineFormat {
@@ -45,7 +47,7 @@ class AscFormat : public CanLineFormat {
   bool parse_id(std::string_view text, can::Frame& frame) const {
     frame.extended = !text.empty() && (text.back() == 'x' || text.back() == 'X');
     if (frame.extended) text.remove_suffix(1);
-    const auto id = number_of(text, base_, frame.extended ? kExtendedMax : kStandardMax);
+    const auto id = number_of(text, base_, frame.extended ? CAN_EFF_MASK : CAN_SFF_MASK);
     frame.id = id.value_or(0);
     return id.has_value();
   }

@@ -1,11 +1,11 @@
 #include "log/frame_text.hpp"
 
+#include <linux/can.h>
+
 #include "log/line_cursor.hpp"
 
 namespace rigsound::log {
 namespace {
-
-constexpr std::uint32_t kExtendedMask = 0x1FFFFFFF, kStandardMask = 0x7FF;
 
 bool parse_data(LineCursor& at, can::Frame& frame, int most) {
   while (const auto byte = at.hex(2)) {
@@ -52,12 +52,12 @@ bool parse_identifier(std::string_view digits, can::Frame& frame) {
   frame.extended = digits.size() == 8;
   if (!frame.extended) {
     frame.id = *id;
-    return *id <= kStandardMask;
+    return *id <= CAN_SFF_MASK;
   }
   frame.error = (*id & kErrorFlag) != 0;
   if (frame.error) frame.extended = false;
-  frame.id = *id & kExtendedMask;
-  return (*id & ~(kErrorFlag | kExtendedMask)) == 0;
+  frame.id = *id & CAN_EFF_MASK;
+  return (*id & ~(kErrorFlag | CAN_EFF_MASK)) == 0;
 }
 
 bool parse_frame_text(std::string_view text, can::Frame& frame) {

@@ -1,4 +1,6 @@
 // PEAK TRC, "PEAK CAN TRC File Format", versions 1.0 to 2.1.
+#include <linux/can.h>
+
 #include <optional>
 
 #include "log/can_lines.hpp"
@@ -7,8 +9,8 @@
 namespace rigsound::log {
 namespace {
 
-constexpr std::uint32_t kStandardMax = 0x7FF, kExtendedMax = 0x1FFFFFFF, kMostBuses = 255;
-constexpr std::int64_t kMilli = 1'000'000;
+constexpr std::uint32_t kMostBuses = 255;
+constexpr std::int64_t kMillisecond_ns = 1'000'000;
 
 /// Where what stands in a line; empty: not in this version.
 struct Columns {
@@ -60,7 +62,7 @@ class TrcFormat : public CanLineFormat {
     while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
     if (line.substr(0, 1) == ";") return read_header(line), CanLine::kOther;
     const TokenList tokens(line);
-    const auto stamp = columns_.time ? decimal_ns(tokens[*columns_.time], kMilli) : std::nullopt;
+    const auto stamp = columns_.time ? decimal_ns(tokens[*columns_.time], kMillisecond_ns) : std::nullopt;
     can::Frame frame;
     if (!stamp || !columns_.id || !columns_.data || !parse_frame(tokens, frame)) return CanLine::kOther;
     const auto bus = columns_.bus ? number_of(tokens[*columns_.bus], 10, kMostBuses) : std::nullopt;
@@ -70,7 +72,7 @@ class TrcFormat : public CanLineFormat {
 
   bool begins_a_frame(std::string_view line) const override {
     const TokenList tokens(line);
-    return line.substr(0, 1) != ";" && tokens.size() > 1 && decimal_ns(tokens[1], kMilli);
+    return line.substr(0, 1) != ";" && tokens.size() > 1 && decimal_ns(tokens[1], kMillisecond_ns);
   }
 
  private:
@@ -109,7 +111,7 @@ class TrcFormat : public CanLineFormat {
   bool parse_frame(const TokenList& tokens, can::Frame& frame) const {
     const std::string_view id_text = tokens[*columns_.id];
     frame.extended = id_text.size() > 4;  // four digits, or eight
-    const auto id = number_of(id_text, 16, frame.extended ? kExtendedMax : kStandardMax);
+    const auto id = number_of(id_text, 16, frame.extended ? CAN_EFF_MASK : CAN_SFF_MASK);
     if (!id || !parse_type(tokens, frame) || !parse_length(tokens, frame)) return false;
     frame.id = *id;
     frame.remote = frame.remote || tokens[*columns_.data] == "RTR";

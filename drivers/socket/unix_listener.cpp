@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kLongest = sizeof(sockaddr_un::sun_path) - 1;
 
-[[noreturn]] void fail(const std::string& where, const std::string& why) {
+[[noreturn]] void refuse_socket(const std::string& where, const std::string& why) {
   throw DeviceError(where + ": cannot listen: " + why);
 }
 
@@ -49,8 +49,8 @@ void let_in(const std::string& path, const SocketAccess& access) {
   if (given && ::chmod(path.c_str(), access.mode) == 0) return;
   const int error = errno;
   ::unlink(path.c_str());
-  fail(path, given ? std::strerror(error)
-                   : std::string("this user cannot give it to the group: ") + std::strerror(error));
+  refuse_socket(path, given ? std::strerror(error)
+                            : std::string("this user cannot give it to the group: ") + std::strerror(error));
 }
 
 }  // namespace
@@ -70,11 +70,11 @@ std::string socket_path_problem(const std::string& path) {
 }
 
 UnixListener::UnixListener(std::string path, const SocketAccess& access) : path_(std::move(path)) {
-  if (const std::string problem = socket_path_problem(path_); !problem.empty()) fail(path_, problem);
+  if (const std::string problem = socket_path_problem(path_); !problem.empty()) refuse_socket(path_, problem);
   const sockaddr_un address = unix_address(path_);
   std::error_code error;
   if (fs::exists(fs::symlink_status(path_, error))) {
-    if (!is_dead(address)) fail(path_, "another program listens there");
+    if (!is_dead(address)) refuse_socket(path_, "another program listens there");
     ::unlink(path_.c_str());
   }
   fs::create_directories(fs::path(path_).parent_path(), error);
@@ -83,9 +83,9 @@ UnixListener::UnixListener(std::string path, const SocketAccess& access) : path_
   const bool bound = ::bind(fd_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
   const int why = errno;
   ::umask(mask);
-  if (!bound) fail(path_, std::strerror(why));
+  if (!bound) refuse_socket(path_, std::strerror(why));
   let_in(path_, access);
-  if (::listen(fd_.get(), SOMAXCONN) != 0) fail(path_, std::strerror(errno));
+  if (::listen(fd_.get(), SOMAXCONN) != 0) refuse_socket(path_, std::strerror(errno));
   ::lstat(path_.c_str(), &ours_);
 }
 

@@ -8,14 +8,14 @@
 namespace rigsound {
 namespace {
 
-constexpr double kThickest = 0.25;     // diameter, as a share of the length
+constexpr double kThickestBar = 0.25;  // diameter, as a share of the length
 constexpr double kWishDistance = 1.1;  // between the two frequencies of a wanted decay
 
 std::string corner_name() { return number_text(kHighestCorner) + " of the sample rate"; }
 
 void require_bar(const FieldCheck& check, const Bar& bar) {
   check.require(
-      bar.diameter_m <= kThickest * bar.length_m, "diameter_m",
+      bar.diameter_m <= kThickestBar * bar.length_m, "diameter_m",
       "is " + number_text(bar.diameter_m) + " m, too thick, expected at most a quarter of length_m");
 }
 

@@ -33,7 +33,9 @@ std::string said_at(const std::vector<double>& x, double rpm) {
   }
 }
 
-bool says(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+bool tells(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
 
 }  // namespace
 
@@ -54,15 +56,15 @@ TEST_CASE("noise has no speed") {
 
 TEST_CASE("a speed that nobody gave is heard and told") {
   const std::string said = said_at(diesel_at(800, 15, 3), 0);
-  CHECK(says(said, "take.wav: rpm: 80"));
-  CHECK(says(said, "is heard"));
+  CHECK(tells(said, "take.wav: rpm: 80"));
+  CHECK(tells(said, "is heard"));
   SplitMix draw(1);
-  CHECK(says(said_at(draw.normals(15 * 48000), 0), "expected --rpm"));
+  CHECK(tells(said_at(draw.normals(15 * 48000), 0), "expected --rpm"));
 }
 
 TEST_CASE("who gives a wrong speed is told the right one") {
   const std::vector<double> slow = diesel_at(800, 15, 4), fast = diesel_at(1500, 15, 4);
-  CHECK(says(said_at(slow, 900), "repeats at 80"));
-  CHECK(says(said_at(fast, 500), "repeats at 150"));  // a third
-  CHECK_FALSE(says(said_at(fast, 1500), "repeats at"));
+  CHECK(tells(said_at(slow, 900), "repeats at 80"));
+  CHECK(tells(said_at(fast, 500), "repeats at 150"));  // a third
+  CHECK_FALSE(tells(said_at(fast, 1500), "repeats at"));
 }

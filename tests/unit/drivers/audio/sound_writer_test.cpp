@@ -12,13 +12,13 @@ using namespace rigsound::test;
 
 namespace {
 
-struct Read {
+struct WrittenSound {
   SF_INFO info{};
   std::vector<float> samples;
 };
 
-Read read(const std::filesystem::path& file) {
-  Read result;
+WrittenSound written(const std::filesystem::path& file) {
+  WrittenSound result;
   SNDFILE* const sound = sf_open(file.c_str(), SFM_READ, &result.info);
   REQUIRE(sound != nullptr);
   result.samples.resize(static_cast<std::size_t>(result.info.frames * result.info.channels));
@@ -60,7 +60,7 @@ TEST_CASE("A WAV file over its limit is RF64 from then on and holds every sample
       const SoundFormat format{48000, channels, samples};
       write(folder.path / "wav.wav", format, sound, whole);
       write(folder.path / "rf64.wav", format, sound, whole - 100'000);
-      const Read wav = read(folder.path / "wav.wav"), rf64 = read(folder.path / "rf64.wav");
+      const WrittenSound wav = written(folder.path / "wav.wav"), rf64 = written(folder.path / "rf64.wav");
       CHECK(content(folder.path / "wav.wav").substr(0, 4) == "RIFF");
       CHECK(content(folder.path / "rf64.wav").substr(0, 4) == "RF64");
       CHECK(content(folder.path / "rf64.wav").substr(0, 512).find("PEAK") == std::string::npos);
