@@ -14,12 +14,12 @@ namespace rigsound::analysis {
 namespace {
 
 constexpr int kDecimation = 16, kLongestWindow = 16384;  // 3 kHz, 5.5 s
-constexpr double kLowestOrder_hz = 12, kHighestOrder_hz = 450;
+constexpr double kLowestOrder_hz = 12, kHighestOrder_hz = 300;
 constexpr double kFloorWidth_hz = 8, kFloorPart = 0.4;
 constexpr double kSpeedWander = 0.002, kSpeedStep = 0.0008;  // relative
-constexpr double kOrderCost = 1, kMostOfOrder = 4;           // nepers of power
-constexpr double kApart = 0.02;                              // relative: nearer is the same speed
-constexpr double kHalfSure = 8;  // nepers over the next for a confidence of 1 - 1/e
+constexpr double kOrderCost = 0.8, kMostOfOrder = 4;         // nepers of power
+constexpr double kGivenWithin = 0.03, kApart = 0.02;         // relative: nearer is the same speed
+constexpr double kTwoThirdsSure = 4;  // nepers over the next for a confidence of 1 - 1/e
 
 /// How far every bin stands over the floor around it, nepers of power.
 struct Prominence {
@@ -69,24 +69,41 @@ double evidence(const Prominence& p, double f0) {
   return sum;
 }
 
+struct Candidate {
+  double rpm, evidence;
+};
+
+bool less_likely(const Candidate& a, const Candidate& b) { return a.evidence < b.evidence; }
+
+double confidence_of(double margin) { return margin > 0 ? 1 - std::exp(-margin / kTwoThirdsSure) : 0; }
+
+/// The best of those within `apart` of a speed.
+double evidence_near(const std::vector<Candidate>& candidates, double rpm, double apart) {
+  double best = 0;
+  for (const Candidate& c : candidates)
+    if (std::fabs(c.rpm / rpm - 1) <= apart) best = std::max(best, c.evidence);
+  return best;
+}
+
 }  // namespace
 
-HeardSpeed heard_speed(const std::vector<double>& x) {
+HeardSpeed heard_speed(const std::vector<double>& x, double given_rpm) {
   const Prominence p = prominence_of(x);
-  struct Candidate {
-    double rpm, evidence;
-  };
   std::vector<Candidate> candidates;
   for (double rpm = kSlowestDiesel_rpm; rpm <= kFastestDiesel_rpm; rpm *= 1 + kSpeedStep)
     candidates.push_back({rpm, evidence(p, cycles_per_second(rpm))});
-  const auto less = [](const Candidate& a, const Candidate& b) { return a.evidence < b.evidence; };
-  const Candidate best = *std::max_element(candidates.begin(), candidates.end(), less);
+  const Candidate best = *std::max_element(candidates.begin(), candidates.end(), less_likely);
+  HeardSpeed heard;
+  heard.rpm = best.rpm;
+  if (given_rpm > 0)
+    heard.over_given = confidence_of(best.evidence - evidence_near(candidates, given_rpm, kGivenWithin));
   const auto others = std::remove_if(candidates.begin(), candidates.end(), [&](const Candidate& c) {
     return std::fabs(std::log(c.rpm / best.rpm)) < kApart;
   });
-  const Candidate next = *std::max_element(candidates.begin(), others, less);
-  const double margin = best.evidence - std::max(0.0, next.evidence);
-  return {best.rpm, margin > 0 ? 1 - std::exp(-margin / kHalfSure) : 0, next.rpm};
+  const Candidate next = *std::max_element(candidates.begin(), others, less_likely);
+  heard.confidence = confidence_of(best.evidence - std::max(0.0, next.evidence));
+  heard.next_rpm = next.rpm;
+  return heard;
 }
 
 }  // namespace rigsound::analysis

@@ -81,7 +81,7 @@ double proposed_rpm(const DieselTake& take, const HeardSpeed& heard, std::vector
 /// mistake.
 bool contradicts(const HeardSpeed& heard, double rpm) {
   constexpr double kLikeCylinders[] = {0.5, 1, 2, 4, 6};
-  return heard.confidence >= kSureOfSpeed &&
+  return heard.over_given >= kSureOfSpeed &&
          std::none_of(std::begin(kLikeCylinders), std::end(kLikeCylinders),
                       [&](double ratio) { return near(heard.rpm, ratio * rpm); });
 }
@@ -89,13 +89,13 @@ bool contradicts(const HeardSpeed& heard, double rpm) {
 CrankTrack track_of(const DieselTake& take, const std::vector<double>& x,
                     std::vector<std::string>& warnings) {
   if (!take.rpm_log.empty()) return track_logged(x, take.rpm_log);
-  const HeardSpeed heard = heard_speed(x);
+  const HeardSpeed heard = heard_speed(x, take.rpm);
   const double given = take.rpm > 0 ? take.rpm : proposed_rpm(take, heard, warnings);
   if (contradicts(heard, given))
     throw InputError(take.source, 0, "rpm",
                      fmt::format("is {:.0f}, but the recording repeats at {:.0f} r/min (confidence {:.2f}), "
                                  "expected within 3 %",
-                                 given, heard.rpm, heard.confidence));
+                                 given, heard.rpm, heard.over_given));
   const double found = repeating_rpm(x, given);
   if (found == 0)
     throw InputError(take.source, fmt::format("does not repeat with any speed near {:.0f} r/min", given));

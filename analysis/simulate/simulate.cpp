@@ -24,7 +24,7 @@ constexpr double kBenchGain = 0.05;  // RMS 1 would clip: one gain for all, rati
 
 void make_folder(const fs::path& folder) {
   std::error_code error;
-  fs::create_directories(folder, error);
+  fs::create_directory(folder, error);  // what Ctrl-C took away must not come back
   if (error) throw DeviceError(folder.string() + ": cannot be made: " + error.message());
 }
 
