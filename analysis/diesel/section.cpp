@@ -17,8 +17,8 @@ namespace {
 
 constexpr int kFewestCycles = 20, kFewCycles = 100;
 constexpr double kTolerance = 0.03, kWorstCorrelation = 0.7;
-constexpr double kProposed = 0.7,
-                 kSureOfSpeed = 0.9;     // confidence to go on with, and to contradict a person with
+constexpr double kProposed = 0.5;        // confidence to go on with: half and double show in the crank
+constexpr double kSureOfSpeed = 0.9;     // and to contradict a person with
 constexpr double kCut = 1.12;            // speed ratio at which a run-up becomes another point
 constexpr double kImpactTail_s = 0.018;  // an impact sounds this long
 constexpr double kClippedShare = 0.01;
