@@ -95,7 +95,7 @@ std::string comments_on(const std::string& key, const std::string& table) {
   for (std::string line; std::getline(lines, line);) {
     const bool off = line.rfind("#: ", 0) == 0;
     const std::size_t hash = line.find('#', off ? 1 : 0);
-    const std::string comment = hash == std::string::npos ? "" : line.substr(hash);
+    std::string comment = hash == std::string::npos ? "" : line.substr(hash);
     if (line.rfind((off ? "#: " : "") + key + " = ", 0) == 0) return comment;
     all += comment + "\n";
   }
