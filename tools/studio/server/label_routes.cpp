@@ -60,7 +60,7 @@ std::string track_of(const Json& parts, const fs::path& file, double seconds) {
   std::stable_sort(labels.begin(), labels.end(),
                    [](const Label& a, const Label& b) { return a.start_s < b.start_s; });
   if (labels.empty()) return "";
-  const std::string text = analysis::labels_text(labels);
+  std::string text = analysis::labels_text(labels);
   for (const Label& label : analysis::read_labels_text(text, file.filename().string()))
     if (label.end_s > seconds + analysis::kLabelSlack_s)
       throw ApiError(422, file.filename().string() + ": end: lies behind the end of the recording");
