@@ -10,7 +10,7 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr std::size_t kDecayFrame = 256, kDecayHop = 64;  // 5.3 ms, for the decays
+constexpr std::size_t kDecayFrame = 256, kHalfDecayFrame = kDecayFrame / 2, kDecayHop = 64;  // 5.3 ms
 constexpr double kSilence = 1e-14;
 
 /// Energy of the bins around `centre`, the outermost shared with the neighbouring band.
@@ -60,7 +60,7 @@ void BandAnalyser::add_decays(const std::vector<double>& sound, BandProfile& pro
     for (std::size_t b = 0; b < bands; ++b)
       sum[b] += band_energy(power, kAnalysisRate / kDecayFrame, centre_hz_[b]);
     ++frames;
-    const double middle = (static_cast<double>(start + kDecayFrame / 2) - kBeforeImpact) / kAnalysisRate;
+    const double middle = (static_cast<double>(start + kHalfDecayFrame) - kBeforeImpact) / kAnalysisRate;
     if (middle < kStretch_s[stretch]) continue;
     for (std::size_t b = 0; b < bands; ++b)
       profile.decay_db[b].push_back(db(sum[b] / static_cast<double>(frames)));

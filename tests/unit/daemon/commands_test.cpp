@@ -227,7 +227,7 @@ TEST_CASE("reload answers when it is over: why not, and what only a restart can 
     daemon.reloads.begin();
     CHECK(late_answer(daemon, daemon.client).empty());
     daemon.reloads.finish(std::move(result));
-    const nlohmann::json said = nlohmann::json::parse(late_answer(daemon, daemon.client));
+    nlohmann::json said = nlohmann::json::parse(late_answer(daemon, daemon.client));
     CHECK(late_answer(daemon, daemon.client).empty());
     return said;
   };

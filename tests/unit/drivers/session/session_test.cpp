@@ -260,7 +260,7 @@ TEST_CASE("A full disk ends the recording with a word, and what is on it stays r
 TEST_CASE("A state that no writer writes is refused, with the signal") {
   const Folder folder;
   const auto refusal_of = [&](const StateWords& words) {
-    SessionWriter(folder.file, new_file(folder.file), {});
+    { const SessionWriter header_alone(folder.file, new_file(folder.file), {}); }
     std::string payload(1, '\0');  // block 0, then all words
     for (const std::uint64_t mask : WordMasks{~0ULL, ~0ULL}) put_varint(payload, mask);
     for (const std::uint32_t word : words) put_u32(payload, word);

@@ -136,8 +136,9 @@ TEST_CASE("a place on the grid lies where speed and load are: 24 steps an octave
       const int row = 1 + static_cast<int>(std::ceil(24 * 3.0));
       CHECK(place.index[0] % row + speed_way == doctest::Approx(way).epsilon(1e-9));
       const double load_way = place.weight[2] + place.weight[3];
+      const int loads = place.index[0] / row;
       CHECK(place.index[2] - place.index[0] == row);
-      CHECK(place.index[0] / row + load_way == doctest::Approx(6 * load).epsilon(1e-9));
+      CHECK(loads + load_way == doctest::Approx(6 * load).epsilon(1e-9));
     }
   const GridPlace low = grid.place(0, -1), lowest = grid.place(500, 0);
   CHECK(low.index == lowest.index);
