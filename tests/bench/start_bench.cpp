@@ -37,7 +37,8 @@ config::SoundSetParts many_banks(double sample_rate) {
     stored.bank.name = "bank" + std::to_string(i);
     config::BankEntry entry;
     entry.name = stored.bank.name, entry.situation = use.situation, entry.rods = 1 + i / kSituationCount % 8;
-    entry.feed_bar = 20 + 30.0 * (i % kSituationCount) + i / (8 * kSituationCount);
+    const int series = i / (8 * kSituationCount);
+    entry.feed_bar = 20 + 30.0 * (i % kSituationCount) + series;
     parts.index.banks.push_back(entry);
     parts.banks.push_back(std::move(stored));
   }
