@@ -10,7 +10,13 @@ namespace {
 
 constexpr std::size_t kMostTrials = 64, kMostWithSounds = 8;
 
-ApiError no_trial() { return {404, "there is no such trial"}; }
+template <class Trials>
+auto& trial_of(Trials& trials, const std::string& id) {
+  const auto trial =
+      std::find_if(trials.begin(), trials.end(), [&](const auto& one) { return one.id == id; });
+  if (trial == trials.end()) throw ApiError(404, "there is no such trial");
+  return *trial;
+}
 
 }  // namespace
 
@@ -26,24 +32,20 @@ std::string ListeningTrials::open(ListeningTrial trial) {
 
 std::string ListeningTrials::wave(const std::string& id, const std::string& place) const {
   const std::lock_guard lock(mutex_);
-  const auto trial =
-      std::find_if(trials_.begin(), trials_.end(), [&](const auto& one) { return one.id == id; });
-  if (trial == trials_.end()) throw no_trial();
-  const auto sound = std::find_if(trial->sounds.begin(), trial->sounds.end(),
+  const ListeningTrial& trial = trial_of(trials_, id);
+  const auto sound = std::find_if(trial.sounds.begin(), trial.sounds.end(),
                                   [&](const auto& one) { return one.first == place; });
-  if (sound == trial->sounds.end()) throw ApiError(404, "the trial has no such sound");
-  const auto wave = trial->waves.find(sound->second);
-  if (wave == trial->waves.end()) throw ApiError(404, "the trial has ended");
+  if (sound == trial.sounds.end()) throw ApiError(404, "the trial has no such sound");
+  const auto wave = trial.waves.find(sound->second);
+  if (wave == trial.waves.end()) throw ApiError(404, "the trial has ended");
   return wave->second;
 }
 
 ListeningTrial ListeningTrials::end(const std::string& id) {
   const std::lock_guard lock(mutex_);
-  const auto trial =
-      std::find_if(trials_.begin(), trials_.end(), [&](const auto& one) { return one.id == id; });
-  if (trial == trials_.end()) throw no_trial();
-  trial->waves.clear();
-  return *trial;
+  ListeningTrial& trial = trial_of(trials_, id);
+  trial.waves.clear();
+  return trial;
 }
 
 std::vector<std::pair<std::string, std::string>> abx_places(std::vector<std::string> kinds) {

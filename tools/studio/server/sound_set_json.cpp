@@ -76,6 +76,16 @@ Json background_json(const Workplace& place, const std::string& name) {
   return {{"name", name}, {"rpm", speeds}};
 }
 
+/// SET/KINDs/NAME, when it is there.
+fs::path part_folder(const Workplace& place, const std::string& kind, const std::string& name) {
+  std::error_code none;
+  const ApiError absent(404, "there is no such " + kind);
+  if (!is_name(name)) throw absent;
+  fs::path folder = place.sound_set.inside(fs::path(kind + "s") / name);
+  if (!fs::is_directory(folder, none)) throw absent;
+  return folder;
+}
+
 }  // namespace
 
 bool is_name(const std::string& word) {
@@ -92,10 +102,7 @@ std::string sound_set_name(const Workplace& place) {
 fs::path index_of(const Workplace& place) { return place.sound_set.inside("soundset.toml"); }
 
 fs::path bank_folder(const Workplace& place, const std::string& name) {
-  std::error_code none;
-  if (!is_name(name)) throw ApiError(404, "there is no such bank");
-  fs::path folder = place.sound_set.inside(fs::path("banks") / name);
-  if (!fs::is_directory(folder, none)) throw ApiError(404, "there is no such bank");
+  fs::path folder = part_folder(place, "bank", name);
   for (const char* file : {"bank.json", "clicks.wav", "refined.json"})
     place.sound_set.inside(fs::path("banks") / name / file);
   return folder;
@@ -103,9 +110,7 @@ fs::path bank_folder(const Workplace& place, const std::string& name) {
 
 fs::path background_folder(const Workplace& place, const std::string& name) {
   std::error_code none;
-  if (!is_name(name)) throw ApiError(404, "there is no such background");
-  fs::path folder = place.sound_set.inside(fs::path("backgrounds") / name);
-  if (!fs::is_directory(folder, none)) throw ApiError(404, "there is no such background");
+  fs::path folder = part_folder(place, "background", name);
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, none))
     place.sound_set.inside(fs::path("backgrounds") / name / entry.path().filename());
   return folder;

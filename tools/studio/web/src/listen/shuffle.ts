@@ -14,5 +14,3 @@ export const shuffled = <T>(values: readonly T[]): T[] => {
   }
   return made;
 };
-
-export const oneOf = <T>(values: readonly T[]): T => values[below(values.length)] as T;
