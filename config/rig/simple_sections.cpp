@@ -1,6 +1,6 @@
 // [audio] [[boom]] [scene] [mix]: what the lists of options say, nothing that depends on other files.
 #include "rig/sections.hpp"
-#include "sound_set/names.hpp"
+#include "rigsound/config/names.hpp"
 #include "toml/toml_reader.hpp"
 
 namespace rigsound::config {

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <string>
 
+#include "rigsound/config/names.hpp"
 #include "rigsound/file/atomic_file.hpp"
 #include "rigsound/file/atomic_folder.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "sound_set/background_json.hpp"
 #include "sound_set/mono_wav.hpp"
-#include "sound_set/names.hpp"
 
 namespace rigsound::config {
 namespace fs = std::filesystem;

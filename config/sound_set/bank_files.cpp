@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "rigsound/config/names.hpp"
 #include "rigsound/config/refinement.hpp"
 #include "rigsound/file/atomic_file.hpp"
 #include "rigsound/file/atomic_folder.hpp"
@@ -9,7 +10,6 @@
 #include "sound_set/bank_json.hpp"
 #include "sound_set/bank_loading.hpp"
 #include "sound_set/clicks_wav.hpp"
-#include "sound_set/names.hpp"
 
 namespace rigsound::config {
 namespace fs = std::filesystem;

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <set>
 
+#include "rigsound/config/names.hpp"
 #include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/file/atomic_file.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "sound_set/index_text.hpp"
-#include "sound_set/names.hpp"
 #include "text/read_text.hpp"
 #include "toml/toml_writer.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "rigsound/config/names.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "sound_set/index_text.hpp"
-#include "sound_set/names.hpp"
 #include "text/read_text.hpp"
 #include "toml/toml_reader.hpp"
 

@@ -1,9 +1,9 @@
 #include "rigsound/config/tool_files.hpp"
 
+#include "rigsound/config/names.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/file/atomic_file.hpp"
 #include "rigsound/machine/input_error.hpp"
-#include "sound_set/names.hpp"
 #include "sound_set/tool_json.hpp"
 #include "text/read_text.hpp"
 

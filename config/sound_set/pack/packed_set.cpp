@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "rigsound/config/names.hpp"
 #include "rigsound/dsp/energy.hpp"
-#include "sound_set/names.hpp"
 #include "sound_set/pack/pack_reader.hpp"
 #include "sound_set/pack/pack_writer.hpp"
 #include "sound_set/pack/sha256.hpp"

@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "rigsound/config/names.hpp"
 #include "rigsound/file/atomic_file.hpp"
 #include "rigsound/file/input_file.hpp"
 #include "routes.hpp"
@@ -54,7 +55,7 @@ Answer list(const Workplace& place) {
 
 Answer one(const Workplace& place, const std::string& name) {
   std::error_code none;
-  if (!is_name(name)) throw ApiError(404, "there is no such result");
+  if (!config::is_name(name)) throw ApiError(404, "there is no such result");
   const fs::path file = place.sound_set.inside(fs::path(kListening) / name);
   if (!fs::is_regular_file(file, none)) throw ApiError(404, "there is no such result");
   Answer answer;

@@ -1,13 +1,13 @@
 #include "sound_set_json.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <functional>
 
 #include "rigsound/analysis/analyzer.hpp"
 #include "rigsound/config/background_files.hpp"
 #include "rigsound/config/bank_files.hpp"
+#include "rigsound/config/names.hpp"
 #include "rigsound/config/sound_set_index.hpp"
 
 namespace rigsound::studio {
@@ -80,19 +80,13 @@ Json background_json(const Workplace& place, const std::string& name) {
 fs::path part_folder(const Workplace& place, const std::string& kind, const std::string& name) {
   std::error_code none;
   const ApiError absent(404, "there is no such " + kind);
-  if (!is_name(name)) throw absent;
+  if (!config::is_name(name)) throw absent;
   fs::path folder = place.sound_set.inside(fs::path(kind + "s") / name);
   if (!fs::is_directory(folder, none)) throw absent;
   return folder;
 }
 
 }  // namespace
-
-bool is_name(const std::string& word) {
-  return !word.empty() && word.size() <= 100 && word.front() != '.' &&
-         std::all_of(word.begin(), word.end(),
-                     [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == '.'; });
-}
 
 std::string sound_set_name(const Workplace& place) {
   std::error_code none;

@@ -24,7 +24,4 @@ std::string bank_version(const std::filesystem::path& bank_folder);
 
 Json sound_set_json(const Workplace& place);
 
-/// Whether a word is a name of a bank, tool or background: letters, digits, `_ - .`, not `.` at first.
-bool is_name(const std::string& word);
-
 }  // namespace rigsound::studio

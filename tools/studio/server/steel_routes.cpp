@@ -3,6 +3,7 @@
 
 #include "packed_part.hpp"
 #include "packed_rig.hpp"
+#include "rigsound/config/names.hpp"
 #include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/config/tool_files.hpp"
 #include "rigsound/file/input_file.hpp"
@@ -77,7 +78,7 @@ Answer rigset_of_steel(const Workplace& place, const Request& request) {
 }
 
 fs::path tool_file(const Workplace& place, const std::string& name) {
-  if (!is_name(name)) throw ApiError(404, "there is no such tool");
+  if (!config::is_name(name)) throw ApiError(404, "there is no such tool");
   return place.sound_set.inside(fs::path("tools") / (name + ".json"));
 }
 
