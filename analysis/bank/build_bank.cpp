@@ -28,8 +28,7 @@ void finish(std::vector<float>& click) {
   const std::size_t fade = std::min(kFade, click.size() / 4);
   for (std::size_t n = 0; n < fade; ++n)
     click[click.size() - 1 - n] *= static_cast<float>(n) / static_cast<float>(fade);
-  const double energy = dsp::energy(click);
-  for (float& v : click) v = static_cast<float>(v / std::sqrt(energy));
+  dsp::divide(click.data(), click.size(), std::sqrt(dsp::energy(click)));
 }
 
 std::vector<Click> finished(std::vector<std::vector<float>> clicks) {

@@ -79,7 +79,7 @@ void renormalise(ClickBank& bank) {
   for (Click& click : bank.clicks) {
     const double energy = dsp::energy(click);
     std::vector<float> unit(click.begin(), click.end());
-    for (float& v : unit) v = static_cast<float>(v / std::sqrt(energy));
+    dsp::divide(unit.data(), unit.size(), std::sqrt(energy));
     click = std::move(unit);
     power += energy / static_cast<double>(bank.clicks.size());
   }
