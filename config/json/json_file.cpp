@@ -11,7 +11,6 @@ namespace rigsound::config {
 namespace {
 
 constexpr std::size_t kMostObjects = 1024, kMostNumbers = 1 << 20;  // in a list
-constexpr Range kFormats{0, 1 << 20};
 
 std::string kind(const nlohmann::json& value) {
   switch (value.type()) {
@@ -150,7 +149,7 @@ std::vector<std::array<double, 2>> JsonFile::pairs(std::string_view key, const R
 }
 
 void JsonFile::require_format(int format) const {
-  const int found = static_cast<int>(number("format", kFormats.whole()));
+  const int found = static_cast<int>(number("format", kFormatNumbers.whole()));
   if (found != format)
     fail("format", "version " + std::to_string(found) + " is not known, expected " + std::to_string(format));
 }

@@ -12,7 +12,6 @@ namespace rigsound::config {
 namespace {
 
 constexpr int kIndexFormat = 1;
-constexpr Range kIndexFormats{0, 1 << 20};
 
 constexpr Word<Situation> kSituationWords[] = {{"normal", Situation::kNormal},
                                                {"underfeed", Situation::kUnderfeed},
@@ -88,7 +87,7 @@ SoundSetIndex load_index(const std::filesystem::path& sound_set) {
     throw InputError(sound_set.string(), "is no sound set, expected a folder with soundset.toml");
   const std::filesystem::path file = sound_set / "soundset.toml";
   TomlTable root = TomlTable::parse(read_text(file, kIndexText), file.string());
-  const std::int64_t format = root.integer("format", 0, kIndexFormats);
+  const std::int64_t format = root.integer("format", 0, kFormatNumbers);
   if (format != kIndexFormat)
     root.fail("format", "version " + std::to_string(format) + " is not known, expected " +
                             std::to_string(kIndexFormat));
