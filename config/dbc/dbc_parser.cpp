@@ -1,3 +1,5 @@
+#include <linux/can.h>
+
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -13,7 +15,7 @@
 namespace rigsound::config {
 namespace {
 
-constexpr std::int64_t kExtendedBit = 0x80000000, kIdentifierMask = 0x1FFFFFFF;
+constexpr std::int64_t kExtendedBit = 0x80000000;
 constexpr std::int64_t kMaxRawId = 0xFFFFFFFF;
 constexpr double kMostRaw = 9e18;                     // what a 64 bit key holds
 constexpr std::int64_t kUnboundSignals = 0xC0000000;  // the pseudo message of signals that no message carries
@@ -120,7 +122,7 @@ class Parser {
     message.line = at_.peek().line;
     const std::int64_t id = raw_id();
     message.extended = (id & kExtendedBit) != 0;
-    message.id = static_cast<std::uint32_t>(id & kIdentifierMask);
+    message.id = static_cast<std::uint32_t>(id & CAN_EFF_MASK);
     message.name = at_.expect_word("the name of a message");
     at_.expect_sign(':');
     message.size = static_cast<int>(at_.expect_integer("the size of a message in bytes", 0, 1785));

@@ -1,3 +1,5 @@
+#include <linux/can.h>
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -15,7 +17,6 @@
 namespace rigsound::config {
 namespace {
 
-constexpr std::uint32_t kStandardMask = 0x7FF;
 constexpr Range kSourceAddresses{0, 255};
 
 /// What the DBC must get right before its signal may be used.
@@ -37,7 +38,7 @@ std::string flaw(const DbcMessage& message, const DbcSignal& signal, bool j1939,
                                         [&](const can::Selector& s) { return fits(s.field); });
   if (!all_fit) return "does not fit into the " + std::to_string(size) + " bytes of its frame";
   if (layout.scale == 0) return "has a scale of 0";
-  if (!message.extended && message.id > kStandardMask)
+  if (!message.extended && message.id > CAN_SFF_MASK)
     return "is in a message whose identifier has more than 11 bits, but not bit 31 set";
   return {};
 }
