@@ -33,12 +33,14 @@ Answer json_answer(const Json& json, int status) {
   return answer;
 }
 
-Answer wave_answer(std::string bytes) {
+Answer bytes_answer(std::string bytes, const char* type) {
   Answer answer;
-  answer.type = "audio/wav";
+  answer.type = type;
   answer.body = std::move(bytes);
   return answer;
 }
+
+Answer wave_answer(std::string bytes) { return bytes_answer(std::move(bytes), "audio/wav"); }
 
 Answer error_answer(const ApiError& error) {
   Json json{{"error", error.what()}};

@@ -46,6 +46,7 @@ struct Answer {
 };
 
 Answer json_answer(const Json& json, int status = 200);
+Answer bytes_answer(std::string bytes, const char* type = "application/octet-stream");
 Answer wave_answer(std::string bytes);  ///< of a WAV file
 Answer error_answer(const ApiError& error);
 

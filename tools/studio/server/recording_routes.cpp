@@ -25,9 +25,7 @@ analysis::TilePlace place_of(const std::string& level, const std::string& tile) 
 
 /// A tile of a recording that is named with its hash never changes.
 Answer tile_answer(const Request& request, const RecordingFile& recording, Tile tile, const char* type) {
-  Answer answer;
-  answer.type = type;
-  answer.body = std::move(tile.bytes);
+  Answer answer = bytes_answer(std::move(tile.bytes), type);
   answer.headers["X-Rigsound-Exact"] = tile.exact ? "1" : "0";
   const auto asked = request.query.find("v");
   if (tile.exact && asked != request.query.end() && asked->second == recording.hash)

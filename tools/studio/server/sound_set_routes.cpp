@@ -30,16 +30,10 @@ Answer rigset(const Workplace& place, const Request& request) {
     const auto found = request.query.find(name);
     return found == request.query.end() ? std::string() : found->second;
   };
-  Answer answer;
-  answer.type = "application/octet-stream";
   const std::string bank = asked("bank"), background = asked("background");
-  if (!bank.empty())
-    answer.body = packed_bank(place, bank, numbers_of(asked("clicks")));
-  else if (!background.empty())
-    answer.body = packed_background(place, background);
-  else
-    answer.body = packed_sound_set(place, asked("rig") == "1" ? PackRig::kEmbedded : PackRig::kLeftOut);
-  return answer;
+  if (!bank.empty()) return bytes_answer(packed_bank(place, bank, numbers_of(asked("clicks"))));
+  if (!background.empty()) return bytes_answer(packed_background(place, background));
+  return bytes_answer(packed_sound_set(place, asked("rig") == "1" ? PackRig::kEmbedded : PackRig::kLeftOut));
 }
 
 }  // namespace

@@ -71,10 +71,7 @@ Answer tune(const Workplace& place, const Request& request) {
 
 Answer rigset_of_steel(const Workplace& place, const Request& request) {
   const Json body = request.object();
-  Answer answer;
-  answer.type = "application/octet-stream";
-  answer.body = packed_steel(place, steel_of(place, body, "steel"), body.value("bank", std::string()));
-  return answer;
+  return bytes_answer(packed_steel(place, steel_of(place, body, "steel"), body.value("bank", std::string())));
 }
 
 fs::path tool_file(const Workplace& place, const std::string& name) {
