@@ -1,5 +1,3 @@
-#include <linux/can.h>
-
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -8,6 +6,7 @@
 #include "dbc/dbc_cursor.hpp"
 #include "dbc/dbc_multiplexing.hpp"
 #include "dbc/dbc_signal_line.hpp"
+#include "rigsound/can/frame.hpp"
 #include "rigsound/config/dbc.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "text/read_text.hpp"
@@ -122,7 +121,7 @@ class Parser {
     message.line = at_.peek().line;
     const std::int64_t id = raw_id();
     message.extended = (id & kExtendedBit) != 0;
-    message.id = static_cast<std::uint32_t>(id & CAN_EFF_MASK);
+    message.id = static_cast<std::uint32_t>(id & can::kMaxExtendedId);
     message.name = at_.expect_word("the name of a message");
     at_.expect_sign(':');
     message.size = static_cast<int>(at_.expect_integer("the size of a message in bytes", 0, 1785));

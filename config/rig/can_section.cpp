@@ -1,5 +1,3 @@
-#include <linux/can.h>
-
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -38,7 +36,7 @@ std::string flaw(const DbcMessage& message, const DbcSignal& signal, bool j1939,
                                         [&](const can::Selector& s) { return fits(s.field); });
   if (!all_fit) return "does not fit into the " + std::to_string(size) + " bytes of its frame";
   if (layout.scale == 0) return "has a scale of 0";
-  if (!message.extended && message.id > CAN_SFF_MASK)
+  if (!message.extended && message.id > can::kMaxStandardId)
     return "is in a message whose identifier has more than 11 bits, but not bit 31 set";
   return {};
 }

@@ -1,6 +1,4 @@
 // Vector ASC (as CANalyzer, CANoe and python-can write it).
-#include <linux/can.h>
-
 #include <optional>
 
 #include "log/can_lines.hpp"
@@ -47,7 +45,7 @@ class AscFormat : public CanLineFormat {
   bool parse_id(std::string_view text, can::Frame& frame) const {
     frame.extended = !text.empty() && (text.back() == 'x' || text.back() == 'X');
     if (frame.extended) text.remove_suffix(1);
-    const auto id = number_of(text, base_, frame.extended ? CAN_EFF_MASK : CAN_SFF_MASK);
+    const auto id = number_of(text, base_, frame.extended ? can::kMaxExtendedId : can::kMaxStandardId);
     frame.id = id.value_or(0);
     return id.has_value();
   }

@@ -1,7 +1,5 @@
 #include "log/frame_text.hpp"
 
-#include <linux/can.h>
-
 #include "log/line_cursor.hpp"
 
 namespace rigsound::log {
@@ -52,12 +50,12 @@ bool parse_identifier(std::string_view digits, can::Frame& frame) {
   frame.extended = digits.size() == 8;
   if (!frame.extended) {
     frame.id = *id;
-    return *id <= CAN_SFF_MASK;
+    return *id <= can::kMaxStandardId;
   }
   frame.error = (*id & kErrorFlag) != 0;
   if (frame.error) frame.extended = false;
-  frame.id = *id & CAN_EFF_MASK;
-  return (*id & ~(kErrorFlag | CAN_EFF_MASK)) == 0;
+  frame.id = *id & can::kMaxExtendedId;
+  return (*id & ~(kErrorFlag | can::kMaxExtendedId)) == 0;
 }
 
 bool parse_frame_text(std::string_view text, can::Frame& frame) {

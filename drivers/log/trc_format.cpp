@@ -1,6 +1,4 @@
 // PEAK TRC, "PEAK CAN TRC File Format", versions 1.0 to 2.1.
-#include <linux/can.h>
-
 #include <optional>
 
 #include "log/can_lines.hpp"
@@ -111,7 +109,7 @@ class TrcFormat : public CanLineFormat {
   bool parse_frame(const TokenList& tokens, can::Frame& frame) const {
     const std::string_view id_text = tokens[*columns_.id];
     frame.extended = id_text.size() > 4;  // four digits, or eight
-    const auto id = number_of(id_text, 16, frame.extended ? CAN_EFF_MASK : CAN_SFF_MASK);
+    const auto id = number_of(id_text, 16, frame.extended ? can::kMaxExtendedId : can::kMaxStandardId);
     if (!id || !parse_type(tokens, frame) || !parse_length(tokens, frame)) return false;
     frame.id = *id;
     frame.remote = frame.remote || tokens[*columns_.data] == "RTR";

@@ -7,6 +7,7 @@
 namespace rigsound::can {
 
 constexpr int kMaxData = 64;  ///< bytes in the longest CAN FD frame
+constexpr std::uint32_t kMaxStandardId = 0x7FF, kMaxExtendedId = 0x1FFFFFFF;  ///< all 11 and all 29 bits
 
 /// Plain data. Thread: any.
 struct Frame {
