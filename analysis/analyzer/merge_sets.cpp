@@ -83,16 +83,18 @@ class Join {
   /// `into`: where it is built; `out`: what it will be, for messages.
   Join(fs::path into, fs::path out) : into_(std::move(into)), out_(std::move(out)) {}
 
-  void add(const fs::path& set) {
+  void add(const fs::path& set, const Progress& progress) {
     const config::SoundSetIndex index = config::load_index(set), there = index_so_far();
     const fs::path file = set / "soundset.toml";
     require_agreement("rock", there.rocks, index.rocks, file);
     require_agreement("laws", there.laws, index.laws, file);
     require_agreement("bank", there.banks, index.banks, file);
     require_agreement("tool", there.tools, index.tools, file);
-    for (const config::BankEntry& bank : index.banks) {
-      config::load_bank(set / "banks" / bank.name);  // a damaged one is told and not passed on
-      take(set, fs::path("banks") / bank.name);
+    for (std::size_t i = 0; i < index.banks.size(); ++i) {
+      const std::string& name = index.banks[i].name;
+      config::load_bank(set / "banks" / name);  // a damaged one is told and not passed on
+      take(set, fs::path("banks") / name);
+      show(progress, i + 1, index.banks.size());
     }
     for (const config::ToolEntry& tool : index.tools) take(set, fs::path("tools") / (tool.name + ".json"));
     for (const std::string& name : index.backgrounds) take(set, fs::path("backgrounds") / name);
@@ -135,7 +137,8 @@ class Join {
 
 }  // namespace
 
-MergedSets merge_sets(const std::vector<fs::path>& sets, const fs::path& out) {
+MergedSets merge_sets(const std::vector<fs::path>& sets, const fs::path& out, const Progress& progress) {
+  constexpr double kCopied = 0.3;  // of the work; most is waiting for the disk
   require_apart({out}, sets);
   for (const fs::path& set : sets) require_outside(out, {set});
   AtomicFolder folder(out);
@@ -148,7 +151,9 @@ MergedSets merge_sets(const std::vector<fs::path>& sets, const fs::path& out) {
     if (error) throw DeviceError(out.string() + ": cannot be copied: " + error.message());
   }
   Join join(folder.temporary(), out);
-  for (const fs::path& set : sets) join.add(set);
+  const double each = kCopied / static_cast<double>(sets.size());
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    join.add(sets[i], part_of(progress, each * static_cast<double>(i), each * static_cast<double>(i + 1)));
   MergedSets merged;
   add_laws(folder.temporary(), (out / "soundset.toml").string(), merged.notes);
   const config::SoundSetIndex index = join.index_so_far();
@@ -157,7 +162,7 @@ MergedSets merge_sets(const std::vector<fs::path>& sets, const fs::path& out) {
   merged.banks = static_cast<int>(banks.size());
   merged.tools = static_cast<int>(index.tools.size());
   merged.backgrounds = static_cast<int>(index.backgrounds.size());
-  folder.commit();
+  folder.commit(part_of(progress, kCopied, 1));
   return merged;
 }
 

@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "rigsound/analysis/progress.hpp"
 #include "rigsound/analysis/sound_reader.hpp"
+#include "rigsound/progress.hpp"
 
 namespace rigsound::analysis {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "rigsound/analysis/progress.hpp"
+#include "rigsound/progress.hpp"
 
 namespace rigsound::analysis {
 

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void load_banks(const fs::path& sound_set, SoundSetParts& parts) {
+void load_banks(const fs::path& sound_set, SoundSetParts& parts, const Progress& progress) {
   ClickStore store(LargeBlock::kPiece);
   for (const BankEntry& entry : parts.index.banks) {
     const bool read = std::any_of(parts.banks.begin(), parts.banks.end(),
@@ -25,16 +25,17 @@ void load_banks(const fs::path& sound_set, SoundSetParts& parts) {
       throw InputError((sound_set / "soundset.toml").string(), entry.line, "bank.name",
                        "there is no folder " + folder.string());
     parts.banks.push_back(load_bank(folder, store));
+    show(progress, parts.banks.size(), parts.index.banks.size());
   }
 }
 
 }  // namespace
 
-SoundSetParts load_parts(const fs::path& sound_set) {
+SoundSetParts load_parts(const fs::path& sound_set, const Progress& progress) {
   SoundSetParts parts;
   parts.index = load_index(sound_set);
   require_every_situation(parts.index, (sound_set / "soundset.toml").string());
-  load_banks(sound_set, parts);
+  load_banks(sound_set, parts, progress);
   for (const ToolEntry& tool : parts.index.tools) {
     const fs::path file = sound_set / "tools" / (tool.name + ".json");
     if (tool.kind == SteelKind::kString)
@@ -47,11 +48,14 @@ SoundSetParts load_parts(const fs::path& sound_set) {
   return parts;
 }
 
-void save_parts(const fs::path& folder, const SoundSetParts& parts) {
+void save_parts(const fs::path& folder, const SoundSetParts& parts, const Progress& progress) {
   std::error_code error;
   if (fs::exists(folder, error)) throw InputError(folder.string(), "is there already, expected a new name");
   AtomicFolder files(folder);
-  for (const StoredBank& stored : parts.banks) save_bank(files.temporary(), stored.bank, stored.provenance);
+  for (std::size_t i = 0; i < parts.banks.size(); ++i) {
+    save_bank(files.temporary(), parts.banks[i].bank, parts.banks[i].provenance);
+    show(progress, i + 1, parts.banks.size());
+  }
   for (const ToolModel& tool : parts.tools) save_tool(files.temporary(), tool);
   for (const StringModel& string : parts.strings) save_string(files.temporary(), string);
   for (const DieselModel& diesel : parts.diesels) save_background(files.temporary(), diesel);

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "file/flush.hpp"
 
@@ -24,10 +25,18 @@ void remove_folder(const fs::path& folder) {
   for (int tries = 0; tries < 100 && fs::exists(folder, error); ++tries) fs::remove_all(folder, error);
 }
 
-template <class Each>
-void for_each_file(const fs::path& folder, Each each) {
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file()) each(entry.path());
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  return files;
+}
+
+void flush_all(const std::vector<fs::path>& files, const Progress& progress = {}) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    flush_to_disk(files[i]);
+    show(progress, i + 1, files.size());
+  }
 }
 
 }  // namespace
@@ -49,8 +58,8 @@ AtomicFolder::AtomicFolder(const fs::path& target)
 
 AtomicFolder::~AtomicFolder() { remove_folder(temporary_); }
 
-void AtomicFolder::commit() {
-  for_each_file(temporary_, flush_to_disk);
+void AtomicFolder::commit(const Progress& progress) {
+  flush_all(files_in(temporary_), progress);
   // After an exchange the temporary name holds the old content, which the destructor removes.
   if (::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0) return;
   std::error_code error;
@@ -62,14 +71,15 @@ void AtomicFolder::commit() {
 void AtomicFolder::join() {
   std::error_code error;
   if (!fs::exists(target_, error)) return commit();
-  for_each_file(temporary_, flush_to_disk);
-  for_each_file(temporary_, [this](const fs::path& file) {
+  const std::vector<fs::path> files = files_in(temporary_);
+  flush_all(files);
+  for (const fs::path& file : files) {
     const fs::path place = target_ / file.lexically_relative(temporary_);
     std::error_code failed;
     fs::create_directories(place.parent_path(), failed);
     if (!failed) fs::rename(file, place, failed);
     if (failed) fail(place, "cannot be put in place", failed.value());
-  });
+  }
 }
 
 }  // namespace rigsound

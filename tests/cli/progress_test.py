@@ -47,6 +47,7 @@ class Progress(FolderCase):
         write_sound_set(at / 'set')
         self.rig = at / 'rig.toml'
         self.rig.write_text('[sound]\nset = "set"\n[[udp]]\naddress = "127.0.0.1:45217"\n')
+        self.made = at / 'made'  # what a run may write
         self.states = at / 'states.csv'
         self.states.write_text('time_s,signal,value\n0,engine_rpm,1500\n90,engine_rpm,0\n')
         self.recording = write_wav(at / 'in.wav', [strikes(7)])
@@ -54,29 +55,49 @@ class Progress(FolderCase):
         self.log_rig.write_text(f'[sound]\nset = "set"\n[[can]]\ninterface = "can0"\ndbc = "{ROOT}/config/dbc/rig.dbc"\n'
                                 '[can.signals]\nengine_rpm = "EEC1.EngSpeed"\n')
 
-    def verbs(self, scale):
-        """Work that takes some time; `scale` times as much where the machine is too fast to see a bar grow."""
+    def set_of_many_banks(self, count):
+        many = self.folder / f'set_of_{count}'
+        if not many.exists():
+            shutil.copytree(self.folder / 'set', many)
+            for i in range(count):
+                shutil.copytree(many / 'banks/normal', many / f'banks/n{i}')
+            entries = [f'[[bank]]\nname = "n{i}"\nsituation = "normal"\n' for i in range(count)]
+            (many / 'soundset.toml').write_text((many / 'soundset.toml').read_text() + '\n' + '\n'.join(entries))
+        return many
+
+    def packed(self, sound_set):
+        file = sound_set.with_suffix('.rigset')
+        if not file.exists():
+            subprocess.run([RIGSOUND, 'pack', sound_set, file], check=True, stdout=subprocess.DEVNULL)
+        return file
+
+    def verbs(self):
+        """Words of work that takes some time, by a scale: more work where the machine is too fast to see a bar grow."""
         new, long_sound = self.folder / 'new', self.folder / 'long.wav'
-        if not long_sound.exists():
-            subprocess.run([RIGSOUND, 'resynth', self.folder / 'set/banks/normal', long_sound, '--seconds', '300'], check=True)
-        yield 'render', ['render', self.rig, '--states', self.states, '--out', new.with_suffix('.wav')]
-        yield 'render of a log', ['render', self.log_rig, '--log', ROOT / 'config/logs/shift.log', '--to', 90, '--out', new.with_suffix('.wav')]
-        yield 'resynth', ['resynth', self.folder / 'set/banks/normal', new.with_suffix('.wav'), '--seconds', 300 * scale]
-        yield 'simulate', ['simulate', '--ids', '100-123', '--seconds', scale, '--out', self.folder / 'sim']
-        yield 'clicks', ['clicks', self.recording, '--jobs', 1]
-        yield 'denoise', ['denoise', self.recording, new.with_suffix('.wav'), '--jobs', 1]
-        yield 'tool', ['tool', '--from', self.recording, '--length', 0.5, '--diameter', 0.025]
-        yield 'background', ['background', '--formula', '--resynth', new.with_suffix('.wav'), '--seconds', 60 * scale]
-        yield 'contrast', ['contrast', self.rig, '--seconds', 4, '--runs', 2]
-        yield 'bench', ['bench', '--seconds', 0.1 * scale]
-        yield 'timeline', ['timeline', self.folder / 'a.png', '--wav', long_sound, '--states', self.states]
-        yield 'record', ['record', self.rig, '--out', new.with_suffix('.pcap'), '--seconds', 1]
+        subprocess.run([RIGSOUND, 'resynth', self.folder / 'set/banks/normal', long_sound, '--seconds', '300'], check=True)
+        return {
+            'render': lambda _: ['render', self.rig, '--states', self.states, '--out', new.with_suffix('.wav')],
+            'render of a log': lambda _: ['render', self.log_rig, '--log', ROOT / 'config/logs/shift.log', '--to', 90, '--out', new.with_suffix('.wav')],
+            'resynth': lambda scale: ['resynth', self.folder / 'set/banks/normal', new.with_suffix('.wav'), '--seconds', 300 * scale],
+            'simulate': lambda scale: ['simulate', '--ids', '100-123', '--seconds', scale, '--out', self.made],
+            'clicks': lambda _: ['clicks', self.recording, '--jobs', 1],
+            'denoise': lambda _: ['denoise', self.recording, new.with_suffix('.wav'), '--jobs', 1],
+            'tool': lambda _: ['tool', '--from', self.recording, '--length', 0.5, '--diameter', 0.025],
+            'background': lambda scale: ['background', '--formula', '--resynth', new.with_suffix('.wav'), '--seconds', 60 * scale],
+            'contrast': lambda _: ['contrast', self.rig, '--seconds', 4, '--runs', 2],
+            'bench': lambda scale: ['bench', '--seconds', 0.1 * scale],
+            'pack': lambda scale: ['pack', self.set_of_many_banks(100 * scale), new.with_suffix('.rigset')],
+            'unpack': lambda scale: ['unpack', self.packed(self.set_of_many_banks(20 * scale)), self.made],
+            'merge': lambda scale: ['merge', self.set_of_many_banks(20 * scale), '--out', self.made],
+            'timeline': lambda _: ['timeline', self.folder / 'a.png', '--wav', long_sound, '--states', self.states],
+            'record': lambda _: ['record', self.rig, '--out', new.with_suffix('.pcap'), '--seconds', 1],
+        }
 
     def test_a_bar_that_grows_and_goes_on_a_terminal_and_nothing_elsewhere(self):
-        for name, words in self.verbs(1):
+        for name, words_of in self.verbs().items():
             for scale in (1, 5, 25):
-                words = dict(self.verbs(scale))[name]
-                shutil.rmtree(self.folder / 'sim', ignore_errors=True)
+                words = words_of(scale)
+                shutil.rmtree(self.made, ignore_errors=True)
                 code, out, shown = on_terminal(words)
                 self.assertEqual(code, 0, (name, shown))
                 bars = BAR.findall(shown)
@@ -91,6 +112,7 @@ class Progress(FolderCase):
             self.assertRegex(after, r'\r {60,}\r', name)  # the line is free again
             if name in ('contrast', 'tool', 'denoise'):  # the slowest, and their bars are as the others'
                 continue
+            shutil.rmtree(self.made, ignore_errors=True)
             plain = subprocess.run([RIGSOUND, *map(str, words)], capture_output=True, text=True, timeout=300)
             self.assertEqual(plain.returncode, 0, plain.stderr)
             self.assertNotIn('left', plain.stderr, name)

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "progress_bar.hpp"
 #include "rigsound/analysis/merge_sets.hpp"
 #include "verbs.hpp"
 
@@ -16,7 +17,10 @@ struct MergeOptions {
 };
 
 void merge(const MergeOptions& o) {
-  const analysis::MergedSets merged = analysis::merge_sets({o.sound_sets.begin(), o.sound_sets.end()}, o.out);
+  ProgressBar bar;
+  const analysis::MergedSets merged = analysis::merge_sets({o.sound_sets.begin(), o.sound_sets.end()}, o.out,
+                                                           [&](double share) { bar.show(share); });
+  bar.clear();
   fmt::print("{} banks={} tools={} backgrounds={} sets={}\n", o.out, merged.banks, merged.tools,
              merged.backgrounds, o.sound_sets.size());
   for (const std::string& note : merged.notes) fmt::print(stderr, "{}\n", note);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "figure_row.hpp"
+#include "progress_bar.hpp"
 #include "rigsound/config/packed_set.hpp"
 #include "rigsound/config/rig.hpp"
 #include "rigsound/config/sound_set_files.hpp"
@@ -43,10 +44,12 @@ void pack(const PackOptions& o) {
   require_apart({o.out}, {o.rig});
   require_apart({o.out}, config::content_of(o.sound_set));
   config::PackedSet set;
-  set.parts = config::load_parts(o.sound_set);
+  ProgressBar bar;
+  set.parts = config::load_parts(o.sound_set, [&](double share) { bar.show(share); });
   if (!o.rig.empty()) set.rig = packed_rig(o.rig, o.sound_set, set.parts, o.out);
   const std::string bytes = config::packed(set);
   write_file(o.out, bytes);
+  bar.clear();
   FigureRow figures;
   print_packed(o, figures.add_count("banks", set.parts.banks.size())
                       .add_count("tools", set.parts.tools.size() + set.parts.strings.size())
@@ -57,7 +60,9 @@ void pack(const PackOptions& o) {
 
 void unpack(const PackOptions& o) {
   const config::PackedSet set = config::load_packed(o.sound_set);
-  config::save_parts(o.out, set.parts);
+  ProgressBar bar;
+  config::save_parts(o.out, set.parts, [&](double share) { bar.show(share); });
+  bar.clear();
   FigureRow figures;
   print_packed(o, figures.add_count("banks", set.parts.banks.size()));
 }

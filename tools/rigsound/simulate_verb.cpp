@@ -56,19 +56,19 @@ std::vector<int> rod_counts(const std::string& text) {
 
 /// Each part takes about as long as it sounds: seven recordings, three a rod count, the ramp.
 std::vector<std::string> situations(const SimulateOptions& o, const std::filesystem::path& folder,
-                                    const analysis::Progress& progress) {
+                                    const Progress& progress) {
   const double seconds = o.seconds > 0 ? o.seconds : kRecordingSeconds;
   const std::vector<int> counts = o.rods.empty() ? std::vector<int>() : rod_counts(o.rods);
   const double main_s = 7 * seconds, rods_s = 3 * seconds * static_cast<double>(counts.size()),
                all_s = main_s + rods_s + o.ramp_seconds;
   std::vector<std::string> lines =
-      analysis::write_situations(folder, o.seed, seconds, analysis::part_of(progress, 0, main_s / all_s));
+      analysis::write_situations(folder, o.seed, seconds, part_of(progress, 0, main_s / all_s));
   const auto add = [&lines](const std::vector<std::string>& more) {
     lines.insert(lines.end(), more.begin(), more.end());
   };
   if (!counts.empty())
     add(analysis::write_rods(folder, o.seed, counts, seconds,
-                             analysis::part_of(progress, main_s / all_s, (main_s + rods_s) / all_s)));
+                             part_of(progress, main_s / all_s, (main_s + rods_s) / all_s)));
   if (o.ramp_seconds > 0) add(analysis::write_feed_ramp(folder, o.seed, o.ramp_seconds));
   return lines;
 }

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "rigsound/analysis/progress.hpp"
 #include "rigsound/analysis/recording.hpp"
 #include "rigsound/analysis/time_table.hpp"
 #include "rigsound/diesel_model.hpp"
+#include "rigsound/progress.hpp"
 
 namespace rigsound::analysis {
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "rigsound/progress.hpp"
+
 namespace rigsound::analysis {
 
 struct MergedSets {
@@ -17,6 +19,7 @@ struct MergedSets {
 /// of `out`, then of `sets`. Laws are fitted where the joined banks give some and none are written. All of it
 /// or nothing. Errors: InputError for two things of one name that differ, a set that is `out`, or one that
 /// cannot be read; DeviceError for the disk. Thread: OFF.
-MergedSets merge_sets(const std::vector<std::filesystem::path>& sets, const std::filesystem::path& out);
+MergedSets merge_sets(const std::vector<std::filesystem::path>& sets, const std::filesystem::path& out,
+                      const Progress& progress = {});
 
 }  // namespace rigsound::analysis

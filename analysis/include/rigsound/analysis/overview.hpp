@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "rigsound/analysis/progress.hpp"
 #include "rigsound/analysis/sound_reader.hpp"
+#include "rigsound/progress.hpp"
 
 namespace rigsound::analysis {
 

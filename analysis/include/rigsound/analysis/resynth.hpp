@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "rigsound/analysis/progress.hpp"
 #include "rigsound/click_bank.hpp"
 #include "rigsound/machine/machine_state.hpp"
+#include "rigsound/progress.hpp"
 
 namespace rigsound::analysis {
 

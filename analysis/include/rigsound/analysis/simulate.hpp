@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rigsound/analysis/progress.hpp"
+#include "rigsound/progress.hpp"
 
 namespace rigsound::analysis {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "rigsound/analysis/progress.hpp"
 #include "rigsound/analysis/sound_reader.hpp"
+#include "rigsound/progress.hpp"
 
 namespace rigsound::analysis {
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "rigsound/analysis/progress.hpp"
 #include "rigsound/options.hpp"
+#include "rigsound/progress.hpp"
 
 namespace rigsound::analysis {
 

@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "rigsound/analysis/progress.hpp"
 #include "rigsound/analysis/recording.hpp"
+#include "rigsound/progress.hpp"
 #include "rigsound/tool_model.hpp"
 
 namespace rigsound::analysis {

@@ -7,6 +7,7 @@
 
 #include "rigsound/config/bank_files.hpp"
 #include "rigsound/config/sound_set_index.hpp"
+#include "rigsound/progress.hpp"
 #include "rigsound/sound_set.hpp"
 
 namespace rigsound::config {
@@ -21,11 +22,12 @@ struct SoundSetParts {
 };
 
 /// Reads SET/soundset.toml and all that it names. Errors: InputError. Thread: OFF.
-SoundSetParts load_parts(const std::filesystem::path& sound_set);
+SoundSetParts load_parts(const std::filesystem::path& sound_set, const Progress& progress = {});
 
 /// Writes a new sound set folder; `folder` must not be there yet. Errors: InputError, DeviceError. Thread:
 /// OFF.
-void save_parts(const std::filesystem::path& folder, const SoundSetParts& parts);
+void save_parts(const std::filesystem::path& folder, const SoundSetParts& parts,
+                const Progress& progress = {});
 
 /// Errors: InputError naming `file` when no bank serves one of the five situations. Thread: OFF.
 void require_every_situation(const SoundSetIndex& index, const std::string& file);

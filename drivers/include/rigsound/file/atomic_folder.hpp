@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "rigsound/file/unfinished.hpp"
+#include "rigsound/progress.hpp"
 
 namespace rigsound {
 
@@ -21,8 +22,9 @@ class AtomicFolder {
   /// Where to write the files.
   const std::filesystem::path& temporary() const { return temporary_; }
 
-  /// Flushes every file to disk and puts the folder in place of the target, old content and all.
-  void commit();
+  /// Flushes every file to disk and puts the folder in place of the target, old content and all. `progress`:
+  /// of the flushing.
+  void commit(const Progress& progress = {});
 
   /// Flushes every file to disk and moves it into the target, which keeps what else is in it.
   void join();
