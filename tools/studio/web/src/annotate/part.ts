@@ -14,4 +14,4 @@ export const emptyPart = (from_s: number, to_s: number): Part =>
 
 export const inOrder = (parts: readonly Part[]): Part[] => [...parts].sort((a, b) => a.from_s - b.from_s || a.to_s - b.to_s);
 
-export const partWords = (part: Part): string => [part.situation.replace('_', ' '), part.rods && `${part.rods} rods`, part.rock].filter(Boolean).join(' · ');
+export const partWords = (part: Part): string => [part.situation.replace('_', ' '), part.rods && `${part.rods} ${part.rods === 1 ? 'rod' : 'rods'}`, part.rock].filter(Boolean).join(' · ');

@@ -57,7 +57,7 @@ export class Picture {
 
   private drawWave(): void {
     const { wave, range } = this, { paint, inner } = wave;
-    wave.start({ x: { from: range.from_s, to: range.to_s, unit: 's' }, y: { from: -1, to: 1, unit: '', words: [] } });
+    wave.start({ x: { from: range.from_s, to: range.to_s, unit: 's', time: true }, y: { from: -1, to: 1, unit: '', words: [] } });
     paint.fillStyle = wave.colour('edge');
     const middle = inner.y + inner.height / 2, half = inner.height / 2 / 127;
     this.visible(this.peaks, inner.width, (peaks, start, column, from, to) => {
@@ -77,7 +77,7 @@ export class Picture {
   private drawSonagram(): void {
     const { sonagram, range } = this, { paint, inner } = sonagram;
     const y = { from: kLow_hz, to: kHigh_hz, log: true, unit: '' };
-    sonagram.start({ x: { from: range.from_s, to: range.to_s, unit: 's', plain: true }, y });
+    sonagram.start({ x: { from: range.from_s, to: range.to_s, unit: 's', time: true }, y });
     paint.imageSmoothingEnabled = false;
     this.visible(this.images, inner.width, (image, start, column, from, to) => {
       const first = (from - start) / column, last = (to - start) / column;

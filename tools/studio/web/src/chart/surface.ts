@@ -1,8 +1,13 @@
 // A canvas that keeps the size of its box and the colours of the theme, with scales on two sides.
+import { clock } from '../dom/number_text';
 import { reduced } from './reduced_line';
 
 export interface Margins { left: number; right: number; top: number; bottom: number }
-export interface Scale { from: number; to: number; log?: boolean; unit: string; words?: string[]; plain?: boolean }
+/** `time`: seconds, written as a clock does once they are minutes. */
+export interface Scale { from: number; to: number; log?: boolean; unit: string; words?: string[]; time?: boolean }
+
+const kClockFrom_s = 120, kClockSteps_s = [10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600];
+const isClock = ({ from, to, time }: Scale): boolean => time === true && to - from >= kClockFrom_s;
 export interface Scales { x: Scale; y: Scale }
 
 /** Round numbers between two values, about `count` of them. */
@@ -15,7 +20,8 @@ export const ticksOf = (scale: Scale, count: number): number[] => {
     return all.length > count + 2 ? all.filter((value) => /^[1]0*(\.0*)?$|^0\.0*1$/.test(String(value))) : all;
   }
   const rough = (to - from) / Math.max(1, count), power = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 5, 10].map((factor) => factor * power).find((value) => value >= rough) ?? rough;
+  const steps = isClock(scale) ? kClockSteps_s : [1, 2, 5, 10].map((factor) => factor * power);
+  const step = steps.find((value) => value >= rough) ?? rough;
   const all: number[] = [];
   for (let n = Math.ceil(from / step - 1e-9); n * step <= to + step * 1e-6; ++n) all.push(n * step);
   return all;
@@ -84,7 +90,8 @@ export class Surface {
       ticks.forEach((value, n) => {
         const x = this.x(value), last = n === ticks.length - 1 && !scales.x.words;
         this.rule(x, inner.y, x, inner.y + inner.height);
-        const text = `${scales.x.plain ? +value.toPrecision(6) : tickText(value)}${last ? ` ${scales.x.unit}` : ''}`;
+        const number = isClock(scales.x) ? clock(value) : scales.x.time ? String(+value.toPrecision(6)) : tickText(value);
+        const text = last && !isClock(scales.x) ? `${number} ${scales.x.unit}` : number;
         const half = paint.measureText(text).width / 2;
         paint.fillText(text, Math.min(x, this.size.width - half - 1), inner.y + inner.height + 6);
       });

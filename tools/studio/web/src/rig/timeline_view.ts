@@ -42,7 +42,7 @@ export class TimelineView {
   }
 
   private draw(): void {
-    const { timeline } = this, x = { from: 0, to: Math.max(0.1, timeline.seconds), unit: 's', plain: true };
+    const { timeline } = this, x = { from: 0, to: Math.max(0.1, timeline.seconds), unit: 's', time: true };
     this.strip.start({ x, y: { from: 0, to: 1, unit: '', words: [] } });
     const situations = timeline.situations.find((each) => each.boom === this.boom)?.changes ?? [];
     situations.forEach(([from, name], n) => name && this.strip.bar(from, situations[n + 1]?.[0] ?? timeline.seconds, 0, 1, name, 0.95));
