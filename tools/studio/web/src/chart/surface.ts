@@ -3,12 +3,11 @@ import { clock } from '../dom/number_text';
 import { reduced } from './reduced_line';
 
 export interface Margins { left: number; right: number; top: number; bottom: number }
-/** `time`: seconds, written as a clock does once they are minutes. */
+/** `time`: seconds, written as a clock does where they are minutes. */
 export interface Scale { from: number; to: number; log?: boolean; unit: string; words?: string[]; time?: boolean }
+export interface Scales { x: Scale; y: Scale }
 
 const kClockFrom_s = 120, kClockSteps_s = [10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600];
-const isClock = ({ from, to, time }: Scale): boolean => time === true && to - from >= kClockFrom_s;
-export interface Scales { x: Scale; y: Scale }
 
 /** Round numbers between two values, about `count` of them. */
 export const ticksOf = (scale: Scale, count: number): number[] => {
@@ -20,7 +19,7 @@ export const ticksOf = (scale: Scale, count: number): number[] => {
     return all.length > count + 2 ? all.filter((value) => /^[1]0*(\.0*)?$|^0\.0*1$/.test(String(value))) : all;
   }
   const rough = (to - from) / Math.max(1, count), power = 10 ** Math.floor(Math.log10(rough));
-  const steps = isClock(scale) ? kClockSteps_s : [1, 2, 5, 10].map((factor) => factor * power);
+  const steps = scale.time && to - from >= kClockFrom_s ? kClockSteps_s : [1, 2, 5, 10].map((factor) => factor * power);
   const step = steps.find((value) => value >= rough) ?? rough;
   const all: number[] = [];
   for (let n = Math.ceil(from / step - 1e-9); n * step <= to + step * 1e-6; ++n) all.push(n * step);
@@ -29,6 +28,12 @@ export const ticksOf = (scale: Scale, count: number): number[] => {
 
 export const tickText = (value: number): string =>
   Math.abs(value) >= 1000 ? `${+(value / 1000).toPrecision(3)}k` : `${+value.toPrecision(4)}`.replace('-', '−');
+
+/** A tick of a time, with as many decimals as the ticks are apart. */
+const timeText = (value: number, { to }: Scale, apart: number): string => {
+  const decimals = Math.max(0, -Math.floor(Math.log10(apart) + 1e-9));
+  return to >= kClockFrom_s ? clock(value, decimals) : value.toFixed(decimals);
+};
 
 export class Surface {
   readonly element = document.createElement('div');
@@ -90,8 +95,8 @@ export class Surface {
       ticks.forEach((value, n) => {
         const x = this.x(value), last = n === ticks.length - 1 && !scales.x.words;
         this.rule(x, inner.y, x, inner.y + inner.height);
-        const number = isClock(scales.x) ? clock(value) : scales.x.time ? String(+value.toPrecision(6)) : tickText(value);
-        const text = last && !isClock(scales.x) ? `${number} ${scales.x.unit}` : number;
+        const number = scales.x.time ? timeText(value, scales.x, (ticks[1] ?? value + 1) - (ticks[0] ?? value)) : tickText(value);
+        const text = last && !number.includes(':') ? `${number} ${scales.x.unit}` : number;
         const half = paint.measureText(text).width / 2;
         paint.fillText(text, Math.min(x, this.size.width - half - 1), inner.y + inner.height + 6);
       });
