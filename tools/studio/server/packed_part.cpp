@@ -52,15 +52,21 @@ config::PackedSet alone(EngineOptions engine, config::StoredBank stored) {
   return set;
 }
 
-/// An even hammer whose clicks nobody hears: what is struck sounds alone.
-config::StoredBank silent_hammer(double sample_rate) {
-  constexpr double kRate_hz = 24, kSilent = 1e-12;
+/// The same impacts with clicks that nobody hears: what is struck sounds alone.
+config::StoredBank silent(config::StoredBank stored) {
+  constexpr double kSilent = 1e-12;
+  stored.bank.amplitude_deviation *= kSilent / stored.bank.mean_amplitude;
+  stored.bank.mean_amplitude = kSilent;
+  stored.bank.clicks = {Click{1.0F}};
+  return stored;
+}
+
+config::StoredBank even_hammer(double sample_rate) {
+  constexpr double kRate_hz = 24;
   config::StoredBank stored;
   stored.bank.name = "hammer";
   stored.bank.sample_rate = sample_rate;
   stored.bank.mean_gap_samples = sample_rate / kRate_hz;
-  stored.bank.mean_amplitude = kSilent;
-  stored.bank.clicks = {Click{1.0F}};
   return stored;
 }
 
@@ -86,15 +92,17 @@ std::string packed_bank(const Workplace& place, const std::string& bank, const s
 
 std::string packed_background(const Workplace& place, const std::string& background) {
   const EngineOptions engine = engine_of(place);
-  config::PackedSet set = alone(engine, silent_hammer(engine.sample_rate));
+  config::PackedSet set = alone(engine, silent(even_hammer(engine.sample_rate)));
   set_diesel(set, config::load_background(background_folder(place, background)));
   return config::packed(set);
 }
 
-std::string packed_steel(const Workplace& place, const ToolModel& steel, const std::string& bank) {
+std::string packed_steel(const Workplace& place, const ToolModel& steel, const Hammer& hammer) {
   const EngineOptions engine = engine_of(place);
-  config::PackedSet set = alone(
-      engine, bank.empty() ? silent_hammer(engine.sample_rate) : config::load_bank(bank_folder(place, bank)));
+  config::StoredBank impacts = hammer.bank.empty() ? even_hammer(engine.sample_rate)
+                                                   : config::load_bank(bank_folder(place, hammer.bank));
+  const bool clicks = hammer.clicks && !hammer.bank.empty();
+  config::PackedSet set = alone(engine, clicks ? std::move(impacts) : silent(std::move(impacts)));
   set.parts.index.tools = {{steel.name}};
   set.parts.tools = {steel};
   set.rig->boom_tools = {steel.name};

@@ -16,8 +16,14 @@ std::string packed_bank(const Workplace& place, const std::string& bank, const s
 /// One diesel; the hammer is silent.
 std::string packed_background(const Workplace& place, const std::string& background);
 
-/// `steel` rings under the impacts of a bank, as refined; an empty `bank`: under even ones without clicks, 24
-/// a second. It brings its design.
-std::string packed_steel(const Workplace& place, const ToolModel& steel, const std::string& bank);
+/// Whose impacts strike: those of a bank, as refined; an empty `bank`: even ones, 24 a second, without
+/// clicks.
+struct Hammer {
+  std::string bank;
+  bool clicks = false;  ///< whether the bank's clicks sound too
+};
+
+/// `steel` rings under a hammer. It brings its design.
+std::string packed_steel(const Workplace& place, const ToolModel& steel, const Hammer& hammer);
 
 }  // namespace rigsound::studio

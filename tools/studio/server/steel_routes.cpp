@@ -71,7 +71,8 @@ Answer tune(const Workplace& place, const Request& request) {
 
 Answer rigset_of_steel(const Workplace& place, const Request& request) {
   const Json body = request.object();
-  return bytes_answer(packed_steel(place, steel_of(place, body, "steel"), body.value("bank", std::string())));
+  const Hammer hammer{body.value("bank", std::string()), body.value("clicks", false)};
+  return bytes_answer(packed_steel(place, steel_of(place, body, "steel"), hammer));
 }
 
 fs::path tool_file(const Workplace& place, const std::string& name) {

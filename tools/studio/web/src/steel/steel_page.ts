@@ -51,11 +51,13 @@ export const steelPage: Page = {
       proposed = nameOf(steel);
     };
     history.onChange = (steel) => {
-      show(steel);
-      if (steel === heard) return;
+      // What is heard first: it takes longest.
+      if (steel !== heard) {
+        sound.setSteel(steel);
+        tuned.ask(steel);
+      }
       heard = steel;
-      tuned.ask(steel);
-      sound.setSteel(steel);
+      show(steel);
     };
 
     const take = (stored: StoredTool): void => {

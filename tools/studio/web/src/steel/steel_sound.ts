@@ -7,13 +7,12 @@ import { newest } from '../server/newest';
 import { askBytes } from '../server/request';
 import type { Steel } from './steel';
 
-const kSilent_db = -60;
 // Between two steels of a moving slider there is something to hear.
 const kPlays_ms = 40;
 
 export const openSteelSound = async (rig: Rig, first: Steel, firstBank: string, wrong: (error: unknown) => void) => {
-  let steel = first, bank = firstBank;
-  const packed = (): Promise<Uint8Array> => askBytes('/steel/rigset', { method: 'POST', body: { ...steel, ...(bank ? { bank } : {}) } });
+  let steel = first, bank = firstBank, clicks = false;
+  const packed = (): Promise<Uint8Array> => askBytes('/steel/rigset', { method: 'POST', body: { ...steel, ...(bank ? { bank, clicks } : {}) } });
   const context = await outputAt(rig.rate), player = await RigPlayer.open(context, await servedParts(), await packed());
   const hammer = (on: boolean) => ({ call: 'set' as const, name: 'percussion', boom: 0, value: on ? 1 : 0 });
   player.onProblem = (line) => wrong(new Error(line));
@@ -25,12 +24,10 @@ export const openSteelSound = async (rig: Rig, first: Steel, firstBank: string, 
     await new Promise((done) => { setTimeout(done, kPlays_ms); });
   }, wrong);
   let drilling = false;
-  const setClicks = (heard: boolean): void => player.change({ call: 'control', name: 'mean_amplitude_db', boom: 0, value: heard ? 0 : kSilent_db });
-  setClicks(false);
   return {
     setSteel: (given: Steel) => { steel = given; next.ask(undefined); },
     setBank: (name: string) => { bank = name; next.ask(undefined); },
-    setClicks,
+    setClicks: (heard: boolean) => { clicks = heard; next.ask(undefined); },
     blow: () => { void resume(); if (!drilling) player.pulse(hammer(true), hammer(false)); },
     drill: (wanted: boolean) => { void resume(); drilling = wanted; player.change(hammer(wanted)); },
     close: () => { next.end(); player.close(); },
