@@ -24,7 +24,7 @@ export const earlierTests = async (show: (answers: Answer[]) => void): Promise<H
   };
   const together = button('Show results', () => void read(), { disabled: true });
   return h('section', { class: 'panel form', 'aria-label': 'Earlier tests' }, h('h2', {}, 'Earlier tests'),
-    h('fieldset', { class: 'label-form plain earlier' }, h('legend', { class: 'unseen' }, 'Earlier tests'), ...[...results].reverse().map(({ name }) => tick(name.replace(/\.csv$/, ''), false, (on) => {
+    h('fieldset', { class: 'label-form plain names' }, h('legend', { class: 'unseen' }, 'Earlier tests'), ...[...results].reverse().map(({ name }) => tick(name.replace(/\.csv$/, ''), false, (on) => {
       if (on) chosen.add(name);
       else chosen.delete(name);
       together.disabled = chosen.size === 0;

@@ -59,7 +59,7 @@ export const listenPage: Page = {
             unsaved = null;
             kept.replaceChildren(`Saved with the sound set as listening/${name}.`);
           },
-          (error: Error) => kept.replaceChildren(`Not saved with the sound set: ${error.message} Download the answers, or `, again));
+          (error: Error) => kept.replaceChildren(`Not saved with the sound set (${error.message.replace(/\.$/, '')}). Download the answers, or `, again));
       };
       showResults(answers, kept);
       send();

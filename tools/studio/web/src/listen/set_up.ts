@@ -26,7 +26,7 @@ export const setUpForm = (plan: TestPlan, banks: readonly string[], run: () => v
     element: h('section', { class: 'panel form', 'aria-label': 'Test' }, kind.element, pairs.element,
       h('div', { class: 'label-form' }, count.element, h('div', { class: 'pick' }, h('label', { for: 'listener' }, 'Listener'), listener)),
       tick('Begin with a trial for practice', plan.practice, (on) => { plan.practice = on; }).element,
-      h('fieldset', { class: 'label-form plain' }, h('legend', {}, 'Banks'), ...banks.map((name) => tick(name, plan.banks.has(name), (on) => choose(name, on)).element)),
+      h('fieldset', { class: 'label-form plain names' }, h('legend', {}, 'Banks'), ...banks.map((name) => tick(name, plan.banks.has(name), (on) => choose(name, on)).element)),
       h('p', { class: 'quiet' }, 'The sounds of a trial are equally loud (ISO 532-1). Put on headphones and set the volume before you begin; leave it as it is until the end.'),
       h('div', { class: 'row' }, begin)),
   };

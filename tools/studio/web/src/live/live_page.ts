@@ -11,6 +11,8 @@ import { merged, type Json } from './merge_patch';
 import type { LiveEvent, LiveSignal, Status } from './status';
 
 const kAgesEvery_ms = 1000, kAgain_ms = 1500;
+const kGone = 'The daemon is gone';
+const gone = (why: string): string => `${kGone}: ${why}. Asking again; below is what it said last.`;
 interface FullStatus { ok: boolean; signals: (LiveSignal & { name: string })[]; audio: NonNullable<Status['audio']> }
 
 const tidy = (value: number): string => String(+value.toFixed(2)).replace('-', '−');
@@ -67,10 +69,10 @@ export const livePage: Page = {
     const take = (event: LiveEvent): void => {
       if (!('event' in event)) return;
       if (event.event === 'gone') {
-        note.textContent = `The daemon is gone: ${event.error}. Asking again.`;
+        note.textContent = gone(event.error);
         return;
       }
-      if (note.textContent?.startsWith('The daemon is gone')) note.textContent = '';
+      if (note.textContent?.startsWith(kGone)) note.textContent = '';
       status = merged(status as unknown as Json, event.change as unknown as Json) as unknown as Status;
       status.uptime_s = event.uptime_s;
       show();
@@ -81,7 +83,7 @@ export const livePage: Page = {
           for await (const event of askLines<LiveEvent>('/live/events', closing.signal)) take(event);
         } catch (error) {
           if (closing.signal.aborted) return;
-          note.textContent = `The daemon is gone: ${error instanceof Error ? error.message : String(error)}. Asking again.`;
+          note.textContent = gone(error instanceof Error ? error.message : String(error));
         }
         await new Promise((done) => setTimeout(done, kAgain_ms));
       }
