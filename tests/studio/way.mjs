@@ -41,10 +41,16 @@ export const analyse = async (page, picture, recordings) => {
   await photograph(page, `${picture}_analyse`);
 };
 
+/** Until it is seen the first bank is, or was. */
+const choose = async (page, bank) => {
+  await page.getByRole('button', { name: new RegExp(bank) }).click();
+  await page.getByRole('heading', { name: bank }).waitFor();
+};
+
 /** Recorded, denoised and synthesised play side by side, as long as one another. */
 export const compare = async (page, picture, bank) => {
   await go(page, 'compare');
-  await page.getByRole('button', { name: new RegExp(bank) }).click();
+  await choose(page, bank);
   await page.getByText('Third-octave levels').waitFor({ timeout: kWork_ms });
   await page.getByText('synthesised', { exact: true }).first().waitFor();
   await page.getByRole('button', { name: 'Play', exact: true }).click();
@@ -62,7 +68,7 @@ const resynthesised = (folder, bank) => {
 export const refine = async (page, picture, folder, bank) => {
   const analysed = resynthesised(folder, bank);
   await go(page, 'refine');
-  await page.getByRole('button', { name: new RegExp(bank) }).click();
+  await choose(page, bank);
   await page.getByRole('slider', { name: 'Decay' }).fill('2', { timeout: kWork_ms });
   await page.getByRole('button', { name: 'Play', exact: true }).click();
   await loudnessThat(page, (found) => found > 1e-4);
