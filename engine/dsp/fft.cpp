@@ -50,7 +50,7 @@ Fft<T>::Fft(int size) : size_(size), reversed_(static_cast<std::size_t>(size)) {
     for (; bit && (j & bit); bit >>= 1) j ^= bit;
     j |= bit;
   }
-  for (int length = 2; length <= size; length *= 2)
+  for (int length = 2; length <= size; length *= 2, ++stages_)
     for (int j = 0; j < length / 2; ++j) {
       cos_.push_back(static_cast<T>(cos(kTwoPi * j / length)));
       sin_.push_back(static_cast<T>(-sin(kTwoPi * j / length)));
@@ -58,21 +58,31 @@ Fft<T>::Fft(int size) : size_(size), reversed_(static_cast<std::size_t>(size)) {
 }
 
 template <class T>
-void Fft<T>::forward(T* re, T* im) const noexcept {
+void Fft<T>::put_in_order(T* re, T* im) const noexcept {
   for (int i = 0; i < size_; ++i) {
     const int j = reversed_[static_cast<std::size_t>(i)];
     if (i < j) std::swap(re[i], re[j]), std::swap(im[i], im[j]);
   }
-  for (int i = 0; i + 1 < size_; i += 2) {  // the first stage turns nothing
+  for (int i = 0; i < size_; i += 2) {  // the first stage turns nothing
     const T r = re[i + 1], q = im[i + 1];
     re[i + 1] = re[i] - r, im[i + 1] = im[i] - q;
     re[i] += r, im[i] += q;
   }
-  const T *c = cos_.data() + 1, *s = sin_.data() + 1;
-  for (int half = 2; half < size_; c += half, s += half, half *= 2)
-    for (int start = 0; start < size_; start += 2 * half)
-      half < kWide<T> ? butterflies<T, 1>(re + start, im + start, half, c, s)
-                      : butterflies<Wide<T>, kWide<T>>(re + start, im + start, half, c, s);
+}
+
+template <class T>
+void Fft<T>::stage(int number, T* re, T* im) const noexcept {
+  if (number == 0) return put_in_order(re, im);
+  const int half = 1 << number;
+  const T *c = cos_.data() + half - 1, *s = sin_.data() + half - 1;
+  for (int start = 0; start < size_; start += 2 * half)
+    half < kWide<T> ? butterflies<T, 1>(re + start, im + start, half, c, s)
+                    : butterflies<Wide<T>, kWide<T>>(re + start, im + start, half, c, s);
+}
+
+template <class T>
+void Fft<T>::forward(T* re, T* im) const noexcept {
+  for (int number = 0; number < stages_; ++number) stage(number, re, im);
 }
 
 template class Fft<float>;
