@@ -268,6 +268,7 @@ BarKernel sections_with(int vectors_T, std::integer_sequence<int, NT...>) {
 
 using PaperCounts = std::make_integer_sequence<int, kPaperLanes / W>;
 using SectionCounts = std::make_integer_sequence<int, kMaxSections / W>;
+using SharedCounts = std::make_integer_sequence<int, W>;  ///< where BarLoops::seat lets them share
 
 }  // namespace
 }  // namespace rigsound::tool
