@@ -5,7 +5,6 @@
 // advance at once. The cascade's extra delay of (sections - 1) samples is taken out of the delay line.
 #pragma once
 
-#include <cstring>
 #include <utility>
 
 #include "tool/bar_kernel.hpp"
@@ -18,22 +17,24 @@ using V __attribute__((vector_size(W * sizeof(double)))) = double;
 using Bits __attribute__((vector_size(W * sizeof(double)))) = std::uint64_t;
 using V2 __attribute__((vector_size(16))) = double;
 
+/// Everything a kernel reads lies as its vectors do, so that it can be part of the instruction that uses it.
 template <class Vector, class T>
 Vector load(const T* from) {
-  Vector v;
-  std::memcpy(&v, from, sizeof v);
-  return v;
+  using InMemory __attribute__((may_alias)) = Vector;
+  return *reinterpret_cast<const InMemory*>(from);
 }
 
 template <class Vector>
 void store(double* to, Vector v) {
-  std::memcpy(to, &v, sizeof v);
+  using InMemory __attribute__((may_alias)) = Vector;
+  *reinterpret_cast<InMemory*>(to) = v;
 }
 
 /// Lanes move up by one; the lowest is left idle.
 inline V shifted(V v) {
 #if RIGSOUND_LANES == 4
-  return __builtin_shufflevector(v, V{}, 7, 0, 1, 2);
+  // Masked, as gcc takes three steps to move a zero in.
+  return (V)((Bits)__builtin_shufflevector(v, v, 0, 0, 1, 2) & Bits{0, ~0ULL, ~0ULL, ~0ULL});
 #else
   return __builtin_shufflevector(v, V{}, 3, 0);
 #endif
@@ -42,7 +43,7 @@ inline V shifted(V v) {
 /// The same where lane 0 belongs to the other family: nothing passes from it into lane 1.
 inline V shifted_apart(V v) {
 #if RIGSOUND_LANES == 4
-  return __builtin_shufflevector(v, V{}, 7, 7, 1, 2);
+  return (V)((Bits)__builtin_shufflevector(v, v, 0, 0, 1, 2) & Bits{0, 0, ~0ULL, ~0ULL});
 #else
   return __builtin_shufflevector(v, V{}, 3, 3);
 #endif
@@ -186,15 +187,18 @@ struct PaperCascade {
   /// One sample: `line` is where it enters. Returns what leaves.
   double next(const double (*line)[2]) {
     const V from = everywhere(line[0][kTransversal]), from_1 = everywhere(line[-1][kTransversal]);
-    V u = shifted(load<V>(&y_1[W * (N - 1)])), u_1 = shifted(load<V>(&y_2[W * (N - 1)])), y{};
+    V u = shifted(load<V>(&y_1[W * (N - 1)])), y{};
+    const V around = shifted(load<V>(&y_2[W * (N - 1)]));
 #pragma GCC unroll 32
     for (int j = 0; j < N; ++j) {
+      V u_1 = j == 0 ? around : load<V>(&y_2[W * (j - 1)]);
       if (j < kEntries) u = entered(u, from, entry[j]), u_1 = entered(u_1, from_1, entry[j]);
-      const V mine_1 = load<V>(&y_1[W * j]), mine_2 = load<V>(&y_2[W * j]);
+      const V mine_1 = load<V>(&y_1[W * j]), before = y;
       y = section(u, mine_1, u_1);
-      store(&y_2[W * j], y);
-      u = mine_1, u_1 = mine_2;
+      if (j > 0) store(&y_2[W * (j - 1)], before);  // not before it was read: so that is part of an addition
+      u = mine_1;
     }
+    store(&y_2[W * (N - 1)], y);
     double* const newest = y_2;
     y_2 = y_1;
     y_1 = newest;
