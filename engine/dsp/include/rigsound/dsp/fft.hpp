@@ -28,7 +28,7 @@ class Fft {
  private:
   void put_in_order(T* re, T* im) const noexcept;
 
-  int size_, stages_ = 0;
+  int size_, stages_ = 0;      // of the order and the first pairs, then two pairings each
   std::vector<int> reversed_;  // bit-reversed index
   std::vector<T> cos_, sin_;   // twiddles of every stage, one stage after the other
 };
