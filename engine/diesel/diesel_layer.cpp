@@ -33,31 +33,39 @@ bool one_load(const DieselModel& model) {
 class DieselLayer::Voice {
  public:
   Voice(DieselModel model, double sample_rate, std::uint64_t seed, double idle_rpm)
-      : model_(std::move(model)),
+      : machine_(std::make_shared<const Machine>(std::move(model), sample_rate)),
+        model_(&machine_->model),
         sample_rate_(sample_rate),
-        load_slope_db_(one_load(checked(model_)) ? model_.load_slope_db : 0.0),
-        grid_(model_, sample_rate),
-        high_(model_, sample_rate, seed),
-        low_(model_, seed),
-        body_(dsp::all_pole_at_rate({model_.body_filter.begin(), model_.body_filter.end()},
-                                    model_.sample_rate, sample_rate)),
-        crossover_(model_.crossover_hz, sample_rate),
-        tones_(model_.oscillators, sample_rate, seed, 46),
-        hydraulic_(model_, sample_rate, seed),
-        start_stop_(model_, sample_rate, idle_rpm) {}
+        load_slope_db_(one_load(*model_) ? model_->load_slope_db : 0.0),
+        high_(*model_, sample_rate, seed),
+        low_(*model_, seed),
+        body_(dsp::all_pole_at_rate({model_->body_filter.begin(), model_->body_filter.end()},
+                                    model_->sample_rate, sample_rate)),
+        crossover_(model_->crossover_hz, sample_rate),
+        tones_(model_->oscillators, sample_rate, seed, 46),
+        hydraulic_(*model_, sample_rate, seed),
+        start_stop_(*model_, sample_rate, idle_rpm) {}
 
   bool process(const DieselInput& input, double* out) noexcept;
   void reset() noexcept;
 
  private:
+  /// What a voice and its copies only read: megabytes that no beginning anew shall copy.
+  struct Machine {
+    Machine(DieselModel m, double sample_rate) : model(std::move(m)), grid(checked(model), sample_rate) {}
+
+    DieselModel model;
+    OperatingGrid grid;
+    AngleReader reader;
+  };
+
   void set_speed(double rpm) noexcept;
   void run(double* out) noexcept;
   void table_segment(const AngleSpan& span, int count, float* out) noexcept;
 
-  DieselModel model_;
+  std::shared_ptr<const Machine> machine_;
+  const DieselModel* model_;
   double sample_rate_, load_slope_db_;
-  OperatingGrid grid_;
-  AngleReader reader_;
   HighLayer high_;
   LowLayer low_;
   dsp::AllPole body_;
@@ -82,11 +90,11 @@ void DieselLayer::Voice::set_speed(double rpm) noexcept {
 
 void DieselLayer::Voice::table_segment(const AngleSpan& span, int count, float* out) noexcept {
   const auto mixed = [&](const GridPlace& place, float* y) {
-    const int N = model_.angle_samples;
+    const int N = model_->angle_samples;
     int from = static_cast<int>((span.base + AngleReader::kFirst + N) % N), done = 0;
     while (done < count) {
       const int run = std::min(count - done, N - from);
-      grid_.table(place, from, run, y + done);
+      machine_->grid.table(place, from, run, y + done);
       done += run, from = 0;
     }
   };
@@ -104,24 +112,25 @@ void DieselLayer::Voice::table_segment(const AngleSpan& span, int count, float* 
 
 void DieselLayer::Voice::run(double* out) noexcept {
   crank_.turn(cycles_per_second(rpm_.from), cycles_per_second(rpm_.to), sample_rate_);
-  crank_.span(model_.angle_samples, fine_);
-  crank_.span(model_.low_channels, coarse_);
+  crank_.span(model_->angle_samples, fine_);
+  crank_.span(model_->low_channels, coarse_);
   const int fine_count = fine_.count + AngleReader::kTaps, coarse_count = coarse_.count + AngleReader::kTaps;
-  high_.produce(fine_.base + AngleReader::kFirst + fine_count, grid_, at_);
-  low_.produce(coarse_.base + AngleReader::kFirst + coarse_count, grid_, at_.place);
+  high_.produce(fine_.base + AngleReader::kFirst + fine_count, machine_->grid, at_);
+  low_.produce(coarse_.base + AngleReader::kFirst + coarse_count, machine_->grid, at_.place);
 
   std::array<float, kMaxSpan> table, high, low;
   table_segment(fine_, fine_count, table.data());
   high_.ring().read(fine_.base + AngleReader::kFirst, fine_count, high.data());
   low_.ring().read(coarse_.base + AngleReader::kFirst, coarse_count, low.data());
 
+  const AngleReader& reader = machine_->reader;
   std::array<float, kChunk> rough, soft;
   for (std::size_t n = 0; n < kChunk; ++n) {
-    const AngleReader::Weights fine = reader_.weights(fine_.fraction[n]);
+    const AngleReader::Weights fine = reader.weights(fine_.fraction[n]);
     const dsp::FloatLanes read =
         dsp::totals(AngleReader::read(fine, table.data() + fine_.offset[n]),
                     AngleReader::read(fine, high.data() + fine_.offset[n]),
-                    AngleReader::read(reader_.weights(coarse_.fraction[n]), low.data() + coarse_.offset[n]),
+                    AngleReader::read(reader.weights(coarse_.fraction[n]), low.data() + coarse_.offset[n]),
                     dsp::FloatLanes{});
     out[n] = static_cast<double>(read[0]);
     rough[n] = read[1];
@@ -138,12 +147,12 @@ bool DieselLayer::Voice::process(const DieselInput& input, double* out) noexcept
 
   const double rpm = 0.5 * (rpm_.from + rpm_.to);
   before_ = at_.place;
-  at_ = {grid_.place(rpm, input.load), rpm, input.load};
+  at_ = {machine_->grid.place(rpm, input.load), rpm, input.load};
   run(out);
   tones_.add(cycles_per_second(rpm), {1, 1}, out);
   load_gain_.go_to(load_slope_db_ == 0
                        ? 1.0
-                       : dsp::gain_of_db(load_slope_db_ * (input.load - model_.points.front().load)));
+                       : dsp::gain_of_db(load_slope_db_ * (input.load - model_->points.front().load)));
   if (!start_stop_.gain().rests_at(1)) dsp::scale(start_stop_.gain(), out, kChunk);
   if (!load_gain_.rests_at(1)) dsp::scale(load_gain_, out, kChunk);
   hydraulic_.add(cycles_per_second(rpm), input.feed, start_stop_.gain().to, out);

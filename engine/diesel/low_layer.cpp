@@ -5,8 +5,7 @@
 namespace rigsound::diesel {
 namespace {
 
-// A cycle has time for each group, for the transform, and for the block that plays the frame.
-constexpr int kGroups = WaveletTree::kGroups, kSteps = kGroups + 2;
+constexpr int kGroups = WaveletTree::kGroups;
 
 }  // namespace
 
@@ -23,42 +22,43 @@ LowLayer::LowLayer(const DieselModel& model, std::uint64_t seed)
       y_(X_.size()) {}
 
 void LowLayer::produce(std::int64_t end, const OperatingGrid& grid, const GridPlace& place) noexcept {
+  const int all = kGroups + bank_.steps();
   while (ring_.end() < end) {
-    grow(kGroups, grid, place);
-    transform();
+    work(all, grid, place);
     bank_.finish(overlap_.data(), y_.data());
     ring_.push(y_.data(), P_);
-    groups_done_ = 0, transformed_ = false;
+    done_ = 0;
   }
   const std::int64_t played = P_ - (ring_.end() - end);  // of the hop that plays now
   if (played * kGroups < P_) return;  // a frame is what the machine did a sixteenth into the one before
-  const int due = static_cast<int>(played * kSteps / P_);
-  grow(std::min(kGroups, due), grid, place);
-  if (due > kGroups) transform();
-}
-
-void LowLayer::transform() noexcept {
-  if (!transformed_) bank_.transform(X_.data());
-  transformed_ = true;
+  // A cycle has time for each group, for each step of the transform, and for the block that plays the frame.
+  work(static_cast<int>(std::min<std::int64_t>(all, played * (all + 1) / P_)), grid, place);
 }
 
 void LowLayer::reset() noexcept {
   tree_.reset();
   ring_.clear();
-  transformed_ = false;
+  done_ = std::min(done_, kGroups);  // transformed anew
   std::fill(X_.begin(), X_.end(), 0.0);
   std::fill(overlap_.begin(), overlap_.end(), 0.0);
 }
 
-void LowLayer::grow(int groups, const OperatingGrid& grid, const GridPlace& place) noexcept {
-  const int count = static_cast<int>(deviation_.size());
-  for (; groups_done_ < groups; ++groups_done_) {
-    if (groups_done_ == 0) place_ = place;
-    grid.mix(place_, &OperatingState::lo, groups_done_ * count, count, deviation_.data());
-    tree_.produce(groups_done_, deviation_.data(), slice_.data());
-    for (std::size_t i = 0; i < slice_.size(); ++i)
-      X_[static_cast<std::size_t>(groups_done_) + i * kGroups] = slice_[i];
+void LowLayer::work(int due, const OperatingGrid& grid, const GridPlace& place) noexcept {
+  for (; done_ < due; ++done_) {
+    if (done_ == 0) place_ = place;
+    if (done_ < kGroups)
+      grow(done_, grid);
+    else
+      bank_.step(done_ - kGroups, X_.data());
   }
+}
+
+void LowLayer::grow(int group, const OperatingGrid& grid) noexcept {
+  const int count = static_cast<int>(deviation_.size());
+  grid.mix(place_, &OperatingState::lo, group * count, count, deviation_.data());
+  tree_.produce(group, deviation_.data(), slice_.data());
+  for (std::size_t i = 0; i < slice_.size(); ++i)
+    X_[static_cast<std::size_t>(group) + i * kGroups] = slice_[i];
 }
 
 }  // namespace rigsound::diesel

@@ -15,9 +15,9 @@ class LowLayer {
  public:
   LowLayer(const DieselModel& model, std::uint64_t seed);  ///< Thread: OFF
 
-  /// Makes every angle sample before `end`. A frame is begun as soon as the one before it starts to play and
-  /// grows a group at a time, is transformed before its turn and overlapped with the one before it then, so
-  /// no block pays for a whole one. Thread: RT.
+  /// Makes every angle sample before `end`. A frame is begun as soon as the one before it starts to play,
+  /// grows a group at a time, is transformed a step at a time and overlapped with the one before it in its
+  /// turn, so no block pays for a whole one. Thread: RT.
   void produce(std::int64_t end, const OperatingGrid& grid, const GridPlace& place) noexcept;
 
   void reset() noexcept;  ///< Silence so far. Thread: RT
@@ -25,16 +25,15 @@ class LowLayer {
   const AngleRing& ring() const noexcept { return ring_; }
 
  private:
-  void transform() noexcept;
-  void grow(int groups, const OperatingGrid& grid, const GridPlace& place) noexcept;
+  void work(int due, const OperatingGrid& grid, const GridPlace& place) noexcept;
+  void grow(int group, const OperatingGrid& grid) noexcept;
 
   int P_, rows_;
   WaveletTree tree_;
   dsp::Mdct<double> bank_;
   AngleRing ring_;
-  int groups_done_ = 0;
-  bool transformed_ = false;  ///< bank_ holds the frame
-  GridPlace place_;           ///< where the frame was begun
+  int done_ = 0;     ///< of the next frame: groups grown, then steps of its transform
+  GridPlace place_;  ///< where it was begun
   std::vector<double> deviation_, slice_, X_, overlap_, y_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "rigsound/dsp/lanes.hpp"
 #include "rigsound/dsp/wavelet.hpp"
 
 namespace rigsound::diesel {
@@ -50,11 +51,15 @@ void WaveletTree::level(int group, int j, const double* deviation, double* out) 
     level(group, j + 1, deviation, at(approximation_, 0));
     draw(j, deviation, at(detail_, 0));
   }
-  for (int i = 0; i < width_; ++i) out[i] = 0;
-  for (int past = 0; past < kPast; ++past) {
-    const double h = dsp::kDb4Scaling[2 * past + odd], g = dsp::db4_wavelet(2 * past + odd);
-    const double *a = at(approximation_, past), *d = at(detail_, past);
-    for (int i = 0; i < width_; ++i) out[i] += h * a[i] + g * d[i];
+  double h[kPast], g[kPast];
+  for (int past = 0; past < kPast; ++past)
+    h[past] = dsp::kDb4Scaling[2 * past + odd], g[past] = dsp::db4_wavelet(2 * past + odd);
+  const double *a = at(approximation_, 0), *d = at(detail_, 0);
+  for (int i = 0; i < width_; i += 2) {
+    dsp::Lanes sum{};
+    for (int past = 0; past < kPast; ++past)
+      sum += h[past] * dsp::load(a + i + past * channels_) + g[past] * dsp::load(d + i + past * channels_);
+    dsp::store(out + i, sum);
   }
 }
 

@@ -14,7 +14,7 @@ class WaveletTree {
  public:
   static constexpr int kGroups = 16;
 
-  /// `channels`: a multiple of kGroups. `N` >= 0. Thread: OFF.
+  /// `channels`: a multiple of 2 kGroups. `N` >= 0. Thread: OFF.
   WaveletTree(int channels, int N, std::uint64_t seed);
 
   /// The next coefficient of the channels of `group`: channels / kGroups values at out[i], for channel

@@ -37,7 +37,7 @@ Mdct<T>::Mdct(int M) : M_(M), fast_(is_fast(M)), fft_(fast_ ? M / 2 : 1), u_(sta
 }
 
 template <class T>
-void Mdct<T>::dct4(const T* x, T* u) noexcept {
+void Mdct<T>::twist(const T* x) noexcept {
   const int H = M_ / 2;
   const T *c = twist_cos_.data(), *s = twist_sin_.data();
   for (int n = 0; n < H; ++n) {
@@ -45,12 +45,24 @@ void Mdct<T>::dct4(const T* x, T* u) noexcept {
     re_[static_cast<std::size_t>(n)] = a * c[n] + b * s[n];
     im_[static_cast<std::size_t>(n)] = b * c[n] - a * s[n];
   }
-  fft_.forward(re_.data(), im_.data());
+}
+
+template <class T>
+void Mdct<T>::twist_back(T* u) const noexcept {
+  const int H = M_ / 2;
+  const T *c = twist_cos_.data(), *s = twist_sin_.data();
   for (int k = 0; k < H; ++k) {
     const T r = re_[static_cast<std::size_t>(k)], i = im_[static_cast<std::size_t>(k)];
     u[2 * k] = r * c[k] + i * s[k];
     u[M_ - 1 - 2 * k] = r * s[k] - i * c[k];
   }
+}
+
+template <class T>
+void Mdct<T>::dct4(const T* x, T* u) noexcept {
+  twist(x);
+  fft_.forward(re_.data(), im_.data());
+  twist_back(u);
 }
 
 template <class T>
@@ -76,16 +88,20 @@ void Mdct<T>::analyse(const T* x, T* X) noexcept {
 
 template <class T>
 void Mdct<T>::synthesise(const T* X, T* overlap, T* y) noexcept {
-  transform(X);
+  for (int number = 0; number < steps(); ++number) step(number, X);
   finish(overlap, y);
 }
 
 template <class T>
-void Mdct<T>::transform(const T* X) noexcept {
-  if (fast_)
-    dct4(X, u_.data());
-  else
+void Mdct<T>::step(int number, const T* X) noexcept {
+  if (!fast_)
     std::copy_n(X, M_, u_.data());
+  else if (number == 0)
+    twist(X);
+  else if (number <= fft_.stages())
+    fft_.stage(number - 1, re_.data(), im_.data());
+  else
+    twist_back(u_.data());
 }
 
 template <class T>

@@ -19,14 +19,47 @@ std::optional<LookaheadLimiter> limiter_of(const EngineOptions& options) {
                           options.sample_rate);
 }
 
-/// x += gain times the bus, or = when nothing `sounds` yet; returns whether anything does now.
-bool add(bool sounds, const Bus& bus, dsp::Lanes gain, dsp::Lanes* x) noexcept {
-  if (!bus.sounds) return sounds;
-  if (sounds)
-    for (int n = 0; n < kChunk; ++n) x[n] += gain * bus.x[n];
-  else
-    for (int n = 0; n < kChunk; ++n) x[n] = gain * bus.x[n];
-  return true;
+/// What sounds of all buses, in the order in which it is added.
+struct Sounding {
+  void take(const Bus& bus, dsp::Lanes gain) noexcept {
+    if (bus.sounds) x[count] = bus.x, gains[count++] = gain;
+  }
+
+  const double* x[1 + 2 * kMaxBooms];
+  dsp::Lanes gains[1 + 2 * kMaxBooms];
+  int count = 0;
+};
+
+struct TwoFrames {
+  dsp::Lanes a, b;
+};
+
+TwoFrames placed(const double* bus, dsp::Lanes gain, int n) noexcept {
+  const dsp::Lanes x = dsp::load(bus + n);
+  return {gain * __builtin_shufflevector(x, x, 0, 0), gain * __builtin_shufflevector(x, x, 1, 1)};
+}
+
+void put(const double* bus, dsp::Lanes gain, dsp::Lanes* x) noexcept {
+  for (int n = 0; n < kChunk; n += 2) {
+    const TwoFrames only = placed(bus, gain, n);
+    x[n] = only.a, x[n + 1] = only.b;
+  }
+}
+
+/// Two in one pass.
+void put(const double* bus, dsp::Lanes gain, const double* next, dsp::Lanes next_gain,
+         dsp::Lanes* x) noexcept {
+  for (int n = 0; n < kChunk; n += 2) {
+    const TwoFrames first = placed(bus, gain, n), second = placed(next, next_gain, n);
+    x[n] = first.a + second.a, x[n + 1] = first.b + second.b;
+  }
+}
+
+void add(const double* bus, dsp::Lanes gain, dsp::Lanes* x) noexcept {
+  for (int n = 0; n < kChunk; n += 2) {
+    const TwoFrames more = placed(bus, gain, n);
+    x[n] += more.a, x[n + 1] += more.b;
+  }
 }
 
 }  // namespace
@@ -47,12 +80,17 @@ Mixer::Mixer(const EngineOptions& options)
 }
 
 bool Mixer::place(const Buses& buses, dsp::Lanes* x) const noexcept {
-  bool sounds = add(false, buses.diesel, diesel_, x);
-  for (int b = 0; b < booms_; ++b) {
-    sounds = add(sounds, buses.drill[b], drill_[static_cast<std::size_t>(b)], x);
-    sounds = add(sounds, buses.tool[b], tool_[static_cast<std::size_t>(b)], x);
+  Sounding sounding;
+  sounding.take(buses.diesel, diesel_);
+  for (std::size_t b = 0; b < static_cast<std::size_t>(booms_); ++b) {
+    sounding.take(buses.drill[b], drill_[b]);
+    sounding.take(buses.tool[b], tool_[b]);
   }
-  return sounds;
+  if (sounding.count == 0) return false;
+  if (sounding.count == 1) return put(sounding.x[0], sounding.gains[0], x), true;
+  put(sounding.x[0], sounding.gains[0], sounding.x[1], sounding.gains[1], x);
+  for (int bus = 2; bus < sounding.count; ++bus) add(sounding.x[bus], sounding.gains[bus], x);
+  return true;
 }
 
 /// A chunk with which a band rings beyond all bounds is dropped, and all bands begin again.

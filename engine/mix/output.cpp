@@ -2,17 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace rigsound::mix {
 namespace {
 
 /// Frames of two channels to the first two of `channels`, or to the only one.
 void spread(const float* frames, int channels, float* out) noexcept {
-  if (channels == 2) {
-    std::memcpy(out, frames, 2 * kChunk * sizeof *frames);
-    return;
-  }
   for (int n = 0; n < kChunk; ++n, out += channels) {
     out[0] = frames[2 * n];
     if (channels == 1) continue;
@@ -24,7 +19,8 @@ void spread(const float* frames, int channels, float* out) noexcept {
 }  // namespace
 
 void Output::write(const dsp::Lanes* x, const GainCurve& gain, float* out) noexcept {
-  float frames[2 * kChunk];
+  float buffer[2 * kChunk];
+  float* const frames = channels_ == 2 ? out : buffer;
   dsp::Lanes energy{}, most{};
   const auto take = [&](int n, dsp::Lanes y, dsp::Lanes z) {
     const dsp::Lanes square = y * y, next = z * z;
@@ -39,7 +35,7 @@ void Output::write(const dsp::Lanes* x, const GainCurve& gain, float* out) noexc
     for (int n = 0; n < kChunk; n += 2) take(n, gain.at(n) * x[n], gain.at(n + 1) * x[n + 1]);
   energy_ += energy;
   most_ = dsp::larger(most_, most);
-  spread(frames, channels_, out);
+  if (frames != out) spread(frames, channels_, out);
   // Rounding to single precision may pass the ceiling.
   const double limit = static_cast<double>(ceiling_);
   if (std::max(most[0], most[1]) >= limit * limit)

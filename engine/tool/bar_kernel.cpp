@@ -21,7 +21,7 @@ BarKernel section_kernel(const Seats (&seats)[2], [[maybe_unused]] LaneWidth wid
   if (width == LaneWidth::kFour) return section_kernel_four(seats);
 #endif
   const int vectors_T = seats[kTransversal].vectors;
-  if (seats[kLongitudinal].base == 0) return sections_with<0>(vectors_T, SectionCounts{});
+  if (seats[kLongitudinal].base == 0) return sections_with<0>(vectors_T, SharedCounts{});
   return seats[kLongitudinal].vectors == 1 ? sections_with<1>(vectors_T, SectionCounts{})
                                            : sections_with<2>(vectors_T, SectionCounts{});
 }

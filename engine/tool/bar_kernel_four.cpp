@@ -7,7 +7,7 @@ namespace rigsound::tool {
 
 BarKernel section_kernel_four(const Seats (&seats)[2]) noexcept {
   const int vectors_T = seats[kTransversal].vectors;
-  return seats[kLongitudinal].base == 0 ? sections_with<0>(vectors_T, SectionCounts{})
+  return seats[kLongitudinal].base == 0 ? sections_with<0>(vectors_T, SharedCounts{})
                                         : sections_with<1>(vectors_T, SectionCounts{});
 }
 

@@ -30,10 +30,25 @@ void store(double* to, Vector v) {
   std::memcpy(to, &v, sizeof v);
 }
 
+/// What lies as vectors do can be part of the instruction that uses it. For inner loops: gcc takes detours to
+/// fill an array this way.
+template <class Vector>
+Vector load_aligned(const double* from) {
+  using InMemory __attribute__((may_alias)) = Vector;
+  return *reinterpret_cast<const InMemory*>(from);
+}
+
+template <class Vector>
+void store_aligned(double* to, Vector v) {
+  using InMemory __attribute__((may_alias)) = Vector;
+  *reinterpret_cast<InMemory*>(to) = v;
+}
+
 /// Lanes move up by one; the lowest is left idle.
 inline V shifted(V v) {
 #if RIGSOUND_LANES == 4
-  return __builtin_shufflevector(v, V{}, 7, 0, 1, 2);
+  // Masked, as gcc takes three steps to move a zero in.
+  return (V)((Bits)__builtin_shufflevector(v, v, 0, 0, 1, 2) & Bits{0, ~0ULL, ~0ULL, ~0ULL});
 #else
   return __builtin_shufflevector(v, V{}, 3, 0);
 #endif
@@ -42,7 +57,7 @@ inline V shifted(V v) {
 /// The same where lane 0 belongs to the other family: nothing passes from it into lane 1.
 inline V shifted_apart(V v) {
 #if RIGSOUND_LANES == 4
-  return __builtin_shufflevector(v, V{}, 7, 7, 1, 2);
+  return (V)((Bits)__builtin_shufflevector(v, v, 0, 0, 1, 2) & Bits{0, 0, ~0ULL, ~0ULL});
 #else
   return __builtin_shufflevector(v, V{}, 3, 3);
 #endif
@@ -94,8 +109,8 @@ struct Glue {
     const V2 w = sh_0 * b + sh_s;
     sh_s = sh_1 * b + sh_q * w;
     const V2 y = V2{x[i], x[i]} + V2{k_T[i], k_L[i]} * w;
-    hp_r = hp_b * (y - load<V2>(line[-1])) + hp_p * hp_r;
-    store(line[0], y);
+    hp_r = hp_b * (y - load_aligned<V2>(line[-1])) + hp_p * hp_r;
+    store_aligned(line[0], y);
     const V2 weighed = V2{mix_T[i], mix_L[i]} * hp_r;
     return weighed[0] + weighed[1];
   }
@@ -186,15 +201,19 @@ struct PaperCascade {
   /// One sample: `line` is where it enters. Returns what leaves.
   double next(const double (*line)[2]) {
     const V from = everywhere(line[0][kTransversal]), from_1 = everywhere(line[-1][kTransversal]);
-    V u = shifted(load<V>(&y_1[W * (N - 1)])), u_1 = shifted(load<V>(&y_2[W * (N - 1)])), y{};
+    V u = shifted(load_aligned<V>(&y_1[W * (N - 1)])), y{};
+    const V around = shifted(load_aligned<V>(&y_2[W * (N - 1)]));
 #pragma GCC unroll 32
     for (int j = 0; j < N; ++j) {
+      V u_1 = j == 0 ? around : load_aligned<V>(&y_2[W * (j - 1)]);
       if (j < kEntries) u = entered(u, from, entry[j]), u_1 = entered(u_1, from_1, entry[j]);
-      const V mine_1 = load<V>(&y_1[W * j]), mine_2 = load<V>(&y_2[W * j]);
+      const V mine_1 = load_aligned<V>(&y_1[W * j]), before = y;
       y = section(u, mine_1, u_1);
-      store(&y_2[W * j], y);
-      u = mine_1, u_1 = mine_2;
+      if (j > 0)
+        store_aligned(&y_2[W * (j - 1)], before);  // not before it was read: so that is part of an addition
+      u = mine_1;
     }
+    store_aligned(&y_2[W * (N - 1)], y);
     double* const newest = y_2;
     y_2 = y_1;
     y_1 = newest;
@@ -208,8 +227,10 @@ struct PaperCascade {
     const V from_0 = everywhere(line[-1][kTransversal]), from_1 = everywhere(line[0][kTransversal]),
             from_2 = everywhere(line[1][kTransversal]);
     // Into the first vector the second sample comes from the last one's first.
-    const V last = section(load<V>(&y_1[kLast - W]), load<V>(&y_1[kLast]), load<V>(&y_2[kLast - W]));
-    V u_0 = shifted(load<V>(&y_2[kLast])), u_1 = shifted(load<V>(&y_1[kLast])), u_2 = shifted(last);
+    const V last = section(load_aligned<V>(&y_1[kLast - W]), load_aligned<V>(&y_1[kLast]),
+                           load_aligned<V>(&y_2[kLast - W]));
+    V u_0 = shifted(load_aligned<V>(&y_2[kLast])), u_1 = shifted(load_aligned<V>(&y_1[kLast])),
+      u_2 = shifted(last);
     V first{}, second{};
 #pragma GCC unroll 32
     for (int j = 0; j < N; ++j) {
@@ -217,11 +238,11 @@ struct PaperCascade {
         u_0 = entered(u_0, from_0, entry[j]), u_1 = entered(u_1, from_1, entry[j]);
         u_2 = entered(u_2, from_2, entry[j]);
       }
-      const V mine_1 = load<V>(&y_1[W * j]), mine_2 = load<V>(&y_2[W * j]);
+      const V mine_1 = load_aligned<V>(&y_1[W * j]), mine_2 = load_aligned<V>(&y_2[W * j]);
       first = j == N - 1 ? last : section(u_1, mine_1, u_0);
       second = section(u_2, first, u_1);
-      store(&y_2[W * j], first);
-      store(&y_1[W * j], second);
+      store_aligned(&y_2[W * j], first);
+      store_aligned(&y_1[W * j], second);
       u_0 = mine_2, u_1 = mine_1, u_2 = first;
     }
     return V2{first[W - 1], second[W - 1]};
@@ -268,6 +289,7 @@ BarKernel sections_with(int vectors_T, std::integer_sequence<int, NT...>) {
 
 using PaperCounts = std::make_integer_sequence<int, kPaperLanes / W>;
 using SectionCounts = std::make_integer_sequence<int, kMaxSections / W>;
+using SharedCounts = std::make_integer_sequence<int, W>;  ///< where BarLoops::seat lets them share
 
 }  // namespace
 }  // namespace rigsound::tool

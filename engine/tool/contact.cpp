@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "rigsound/dsp/lanes.hpp"
+
 namespace rigsound::tool {
 
 Contact::Contact(const LoopDesign& loop, const Strike& strike, double sample_rate) noexcept
@@ -17,7 +19,10 @@ int Contact::ramp(int from, int to, double target, double step, double* k_T) noe
   const int until = steps < to - from ? from + static_cast<int>(steps) : to;
   const double start = k_;
   // Each from the start, not from the one before: no sample waits for another.
-  for (int n = from; n < until; ++n) k_T[n] = start + (n + 1 - from) * step;
+  int n = from;
+  for (dsp::Lanes place = {1, 2}; n + 1 < until; n += 2, place += 2.0)
+    dsp::store(k_T + n, start + place * step);
+  if (n < until) k_T[n] = start + (n + 1 - from) * step;
   k_ = until < to ? target : start + (to - from) * step;
   if (until == to) return to;
   k_T[until] = target;

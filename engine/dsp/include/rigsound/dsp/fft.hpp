@@ -18,11 +18,17 @@ class Fft {
   /// X[k] = sum_n x[n] exp(-2 pi i n k / size), in place. Thread: RT.
   void forward(T* re, T* im) const noexcept;
 
+  /// forward() is its stages, 0 ... stages() - 1, one after the other. Thread: RT.
+  int stages() const noexcept { return stages_; }
+  void stage(int number, T* re, T* im) const noexcept;
+
   /// x[n] = sum_k X[k] exp(+2 pi i n k / size), in place, not divided by the size. Thread: RT.
   void inverse(T* re, T* im) const noexcept { forward(im, re); }
 
  private:
-  int size_;
+  void put_in_order(T* re, T* im) const noexcept;
+
+  int size_, stages_ = 0;      // of the order and the first pairs, then two pairings each
   std::vector<int> reversed_;  // bit-reversed index
   std::vector<T> cos_, sin_;   // twiddles of every stage, one stage after the other
 };

@@ -25,13 +25,17 @@ class Mdct {
   /// hop that began one call earlier. Thread: RT.
   void synthesise(const T* X, T* overlap, T* y) noexcept;
 
-  /// The same in two steps, for who would rather pay for them at different times: nothing else is asked of
-  /// this Mdct in between. Thread: RT.
-  void transform(const T* X) noexcept;
+  /// The same in steps, 0 ... steps() - 1 and finish(), for who would rather pay for them at different times:
+  /// `X` is the same for each, nothing else is asked of this Mdct in between. Thread: RT.
+  int steps() const noexcept { return fast_ ? fft_.stages() + 2 : 1; }
+  void step(int number, const T* X) noexcept;
   void finish(T* overlap, T* y) noexcept;
 
  private:
-  void dct4(const T* x, T* u) noexcept;  // also in place
+  // The DCT-IV of `x`, also in place: twisted, transformed, twisted back.
+  void dct4(const T* x, T* u) noexcept;
+  void twist(const T* x) noexcept;
+  void twist_back(T* u) const noexcept;
 
   int M_;
   bool fast_;
