@@ -23,6 +23,9 @@ constexpr unsigned kStarts = 3;
 // What a chain has over chance, a click. Of 32 drills at -6 dB none was below 0.43, of 54 noises and effects
 // three in four were below 0.23 and nine in ten below 0.6.
 constexpr double kHopeless = 0.3, kClear = 1;
+// Probability of the rough clicks' best window. Of 130 drills, 32 of them at -6 dB, none was below 5e-4; of
+// 187 other sounds four in five are below this.
+constexpr double kPromising = 1e-4;
 constexpr int kRoughIterations = 90;  // of step 6, where its result only guides the next search
 
 /// What each modelled power explains of the recorded one: the model's own sum is up to 1.5 dB above it in
@@ -170,6 +173,12 @@ std::vector<ClipMachine> split_of_two(const std::vector<Segment>& windows, const
   return both;
 }
 
+/// The rough clicks may be those of a drill.
+bool is_promising(const std::vector<JudgedWindow>& verdict) {
+  return std::any_of(verdict.begin(), verdict.end(),
+                     [](const JudgedWindow& w) { return w.probability >= kPromising; });
+}
+
 }  // namespace
 
 std::vector<ClipMachine> split_by_click_nmf(const std::vector<float>& x, const std::vector<Segment>& windows,
@@ -184,7 +193,10 @@ std::vector<ClipMachine> split_by_click_nmf(const std::vector<float>& x, const s
   const auto verdict_on = [&](const Dump& into) {
     return judge(windows, searched(pass.found, pass.clicks, power, pass.factors), "pass2", into);
   };
-  if (pass.factors && (options.labelled || start.found.clearness() >= kHopeless)) {
+  const auto may_drill = [&] {
+    return start.found.clearness() >= kHopeless && is_promising(verdict_on(Dump({})));
+  };
+  if (pass.factors && (options.labelled || may_drill())) {
     const PsdPair rough = modelled_psd(*pass.factors, power);
     dump_split(dump, "pass1", X, rough, x.size());
     pass = pass_through(search_clicks(x, mean_over_time(rough)), FitEffort::kFull, "pass2", power, dump);
