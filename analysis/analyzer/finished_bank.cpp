@@ -23,7 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Raised whenever the chain or the bank builder changes what it computes: older banks are then analysed anew.
-constexpr int kAnalysisRevision = 5;
+constexpr int kAnalysisRevision = 6;
 
 constexpr const char* kFiguresFile = "figures.json";
 constexpr const char* kFormerRefinementFile = "refined.json.old";
@@ -57,6 +57,8 @@ std::string figures_text(const BankFigures& figures) {
   json["segments"] = figures.segments;
   json["segments_drilling"] = figures.segments_drilling;
   for (const Figure& f : kFigures) json[f.key] = figures.*f.value;  // infinity becomes null
+  json["machine"] = figures.machine;
+  json["machine_rates_hz"] = figures.machine_rates_hz;
   json["doubt"] = figures.doubt;
   return json.dump(2) + "\n";
 }
@@ -68,6 +70,8 @@ BankFigures read_figures(const fs::path& path) {
   figures.clicks_found = json.at("clicks_found");
   figures.segments = json.at("segments");
   figures.segments_drilling = json.at("segments_drilling");
+  figures.machine = json.at("machine");
+  figures.machine_rates_hz = json.at("machine_rates_hz").get<std::vector<double>>();
   figures.doubt = json.at("doubt");
   for (const Figure& f : kFigures)
     figures.*f.value =
@@ -87,9 +91,9 @@ std::optional<config::FileBeside> former_refinement(const fs::path& folder) {
 
 std::string settings_of(const Part& part, const AnalyzerOptions& options) {
   std::string text =
-      fmt::format("revision={} method={} denoise={} clicks={} labelled={}", kAnalysisRevision,
+      fmt::format("revision={} method={} denoise={} clicks={} labelled={} machine={}", kAnalysisRevision,
                   options.method == Method::kPaper ? "paper" : "click-nmf", options.denoise ? "yes" : "no",
-                  options.clicks, part.labelled ? "yes" : "no");
+                  options.clicks, part.labelled ? "yes" : "no", options.machine);
   if (!part.whole())
     text += fmt::format(" start_s={:.6f} end_s={:.6f}", part.label.start_s, part.label.end_s);
   return text;
@@ -117,6 +121,7 @@ ChainOptions chain_of(const std::string& settings) {
     if (word == "method=paper") chain.method = Method::kPaper;
     if (word == "denoise=no") chain.denoise = false;
     if (word == "labelled=yes") chain.labelled = true;
+    if (word == "machine=2") chain.machine = 2;
   }
   return chain;
 }

@@ -39,6 +39,7 @@ PartAnalysis analyse_part(const Part& part, const Samples& recorded, SampleFile&
   chain.method = options.method;
   chain.denoise = options.denoise;
   chain.labelled = part.labelled;
+  chain.machine = options.machine;
   analysis.chain = run_chain_in_segments(recorded, file, chain);
   const ChainResult& whole = analysis.chain.joined;
   if (!whole.drilling_found)
@@ -46,6 +47,9 @@ PartAnalysis analyse_part(const Part& part, const Samples& recorded, SampleFile&
                                               part.labelled ? "clicks" : "drilling", whole.reason));
   analysis.built = build_bank(analysis.chain, options.method, options.clicks, title(part));
   analysis.built.bank.name = part.bank;
+  analysis.built.figures.machine = options.machine;
+  for (const Machine& machine : whole.machines)
+    analysis.built.figures.machine_rates_hz.push_back(machine.rate_hz);
   analysis.built.figures.doubt = whole.reason;
   return analysis;
 }

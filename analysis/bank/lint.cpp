@@ -123,6 +123,10 @@ std::vector<std::string> lint_bank(const AnalysedPart& part, int wanted_clicks) 
   const BankFigures& f = part.figures;
   std::vector<std::string> warnings;
   if (!f.doubt.empty()) warnings.push_back("it may be no drilling: " + f.doubt);
+  if (f.machine_rates_hz.size() > 1)
+    warnings.push_back(fmt::format(
+        "two machines strike, at {:.1f} and {:.1f} Hz: this is number {}, --machine {} takes the other",
+        f.machine_rates_hz[0], f.machine_rates_hz[1], f.machine, 3 - f.machine));
   if (f.clicks_found < kFewClicksFound || part.clicks < wanted_clicks)
     warnings.push_back(fmt::format("too few clicks: {} found, {} in the bank", f.clicks_found, part.clicks));
   if (f.snr_db < kLowSnrDb) warnings.push_back(fmt::format("low SNR: {:.1f} dB", f.snr_db));

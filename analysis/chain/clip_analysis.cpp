@@ -52,7 +52,7 @@ void calibrate(const std::vector<float>& drilling, ClickTrain& train) {
 }
 
 /// What speaks against the most likely window.
-std::string doubt(const ClipSplit& split) {
+std::string doubt(const ClipMachine& split) {
   if (split.clicks.P.size() < kFewestDrillingClicks)
     return fmt::format("{} clicks, expected {} or more", split.clicks.P.size(), kFewestDrillingClicks);
   const auto best =
@@ -72,14 +72,7 @@ void keep_where_it_drills(const std::vector<VerdictWindow>& verdict, ClickTrain&
   train.beta = {train.beta.begin() + first, train.beta.begin() + last};
 }
 
-}  // namespace
-
-ChainResult analyse_clip(const std::vector<float>& mono, const std::vector<Segment>& windows,
-                         const ChainOptions& options) {
-  const NormalisedClip clip = normalise(mono, options.seed);
-  const Dump dump(options.dump);
-  ClipSplit split = options.method == Method::kPaper ? split_by_paper(clip.x, windows, options, dump)
-                                                     : split_by_click_nmf(clip.x, windows, options, dump);
+ChainResult result_of(ClipMachine split, float level, const ChainOptions& options) {
   ChainResult result;
   result.drilling_found = drills(split.verdict) && split.clicks.P.size() >= kFewestDrillingClicks;
   if (!result.drilling_found) result.reason = doubt(split);
@@ -87,16 +80,32 @@ ChainResult analyse_clip(const std::vector<float>& mono, const std::vector<Segme
     result.verdict.push_back({static_cast<double>(w.window.begin) / kAnalysisRate,
                               static_cast<double>(w.window.end) / kAnalysisRate, w.probability});
   if (result.drilling_found || options.labelled) result.clicks = std::move(split.clicks);
-  const double square = static_cast<double>(clip.level) * clip.level;
+  const double square = static_cast<double>(level) * level;
   result.signal_psd = scaled(split.signal_psd, square);
   result.noise_psd = scaled(split.noise_psd, square);
   const Spectrogram Y = stft(split.drilling, kChainStft);
   result.output_psd = scaled(Y.abs2().cast<double>().rowwise().mean(), square);
-  for (float& sample : split.drilling) sample *= clip.level;
+  for (float& sample : split.drilling) sample *= level;
   calibrate(split.drilling, result.clicks);
   result.drilling = std::move(split.drilling);
   if (result.drilling_found && !options.labelled) keep_where_it_drills(result.verdict, result.clicks);
   return result;
+}
+
+}  // namespace
+
+std::vector<ChainResult> analyse_clip(const std::vector<float>& mono, const std::vector<Segment>& windows,
+                                      const ChainOptions& options) {
+  const NormalisedClip clip = normalise(mono, options.seed);
+  const Dump dump(options.dump);
+  std::vector<ClipMachine> machines;
+  if (options.method == Method::kPaper)
+    machines.push_back(split_by_paper(clip.x, windows, options, dump));
+  else
+    machines = split_by_click_nmf(clip.x, windows, options, dump);
+  std::vector<ChainResult> results;
+  for (ClipMachine& machine : machines) results.push_back(result_of(std::move(machine), clip.level, options));
+  return results;
 }
 
 }  // namespace rigsound::analysis

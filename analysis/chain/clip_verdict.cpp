@@ -5,6 +5,7 @@
 #include "clicks/click_fit.hpp"
 #include "clicks/click_likeness.hpp"
 #include "clicks/drilling_test.hpp"
+#include "clicks/gaps.hpp"
 #include "clicks/selection.hpp"
 #include "denoise/cs_nmf.hpp"
 #include "rigsound/analysis/chain.hpp"
@@ -26,6 +27,7 @@ ClickTrain clicks_in(const Segment& window, const ClickTrain& clicks) {
     inside.P.push_back(static_cast<int>(clicks.P[i] - window.begin));
     inside.beta.push_back(clicks.beta[i]);
   }
+  if (inside.P.size() >= kFewestFitted) inside.mean_gap_samples = median_gap(inside.P);
   return inside;
 }
 

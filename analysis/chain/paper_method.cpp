@@ -21,11 +21,11 @@ std::vector<float> without(const std::vector<float>& x, const std::vector<float>
 
 }  // namespace
 
-ClipSplit split_by_paper(const std::vector<float>& x, const std::vector<Segment>& windows,
-                         const ChainOptions& options, const Dump& dump) {
+ClipMachine split_by_paper(const std::vector<float>& x, const std::vector<Segment>& windows,
+                           const ChainOptions& options, const Dump& dump) {
   PaperNmfOptions nmf;
   nmf.seed = options.seed;
-  ClipSplit split;
+  ClipMachine split;
   split.drilling =
       options.denoise ? inverse_stft(paper_drilling(stft(x, kPaperStft), nmf), x.size(), kPaperStft) : x;
   const Eigen::ArrayXd y = whiten(split.drilling, lpc_whitener(split.drilling, kLpcOrder));
@@ -33,10 +33,10 @@ ClipSplit split_by_paper(const std::vector<float>& x, const std::vector<Segment>
   dump.signal("whitened", y);
   split.clicks = paper_clicks(y);
   dump.train("paper", split.clicks);
-  // Whether there is a drill at all the paper does not test: both methods use the same verdict.
-  split.verdict = split_by_click_nmf(x, windows, options, Dump({})).verdict;
   split.signal_psd = mean_power(split.drilling);
   split.noise_psd = mean_power(without(x, split.drilling));
+  // Whether there is a drill at all the paper does not test: both methods use the same verdict.
+  split.verdict = split_by_click_nmf(x, windows, options, Dump({})).front().verdict;
   return split;
 }
 

@@ -184,6 +184,7 @@ std::vector<float> join_drilling(const std::vector<Segment>& segments,
   for (size_t k = 0; k < segments.size(); ++k) {
     const long rise_end = k > 0 ? segments[k - 1].end : 0;
     const long fall_begin = k + 1 < segments.size() ? segments[k + 1].begin : segments[k].end;
+    if (results[k].drilling.size() == 0) continue;  // nothing of this machine
     const std::vector<float> drilling = results[k].drilling.all();
     for (long n = segments[k].begin; n < segments[k].end; ++n) {
       float weight = 1;

@@ -17,10 +17,11 @@ long blocks_of(double ms) { return std::max(2L, std::lround(ms * kAnalysisRate /
 
 }  // namespace
 
-Eigen::ArrayXd block_power(const Eigen::ArrayXd& y, int block) {
-  const long blocks = y.size() / block;
-  return Eigen::Map<const Eigen::ArrayXXd>(y.data(), block, blocks).square().colwise().mean();
+Eigen::ArrayXd block_mean(const Eigen::ArrayXd& x, int block) {
+  return Eigen::Map<const Eigen::ArrayXXd>(x.data(), block, x.size() / block).colwise().mean();
 }
+
+Eigen::ArrayXd block_power(const Eigen::ArrayXd& y, int block) { return block_mean(y.square(), block); }
 
 double step_statistic(const Eigen::ArrayXd& cumulative, long t, long forward, long backward, int samples) {
   const long n_f = std::min(forward, cumulative.size() - 1 - t), n_b = std::min(backward, t);

@@ -13,6 +13,9 @@ struct Candidates {
   std::vector<int> block;  ///< peaks of z, ascending
 };
 
+/// Mean of each block of `block` samples of x; a remainder is left out. Thread: OFF.
+Eigen::ArrayXd block_mean(const Eigen::ArrayXd& x, int block);
+
 /// Mean power of each block of `block` samples of y; a remainder is left out. Thread: OFF.
 Eigen::ArrayXd block_power(const Eigen::ArrayXd& y, int block);
 

@@ -21,7 +21,7 @@ constexpr double kNever = 1e8;
 
 Eigen::ArrayXd variance(const EnvelopePower& shape, const ModelClicks& clicks, long length) {
   Eigen::ArrayXd v;
-  TrainPower(shape, clicks.onset, length).spread(clicks.power, clicks.floor, v);
+  model_variance(TrainPower(shape, clicks.onset, length), clicks, v);
   return v;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "clicks/click_edit.hpp"
 #include "clicks/envelope_fit.hpp"
@@ -23,8 +24,9 @@ void rescale(ModelClicks& clicks, int from, int to) {
 /// The selected clicks, and one a period before the first sample: a segment cut out of drilling begins with
 /// the tails of what came before, which together are one exponential. Without it the floor takes them, and
 /// part of every other tail with them. In silence it gets no power and is pruned; it never counts as found.
-ModelClicks start(const Eigen::ArrayXd& q, const Selection& selection, double T_0) {
+ModelClicks start(const Eigen::ArrayXd& q, const Selection& selection, double T_0, Eigen::ArrayXd others) {
   ModelClicks clicks;
+  clicks.others = std::move(others);
   clicks.onset.assign(selection.block.begin(), selection.block.end());
   rescale(clicks, kCandidateBlock, kCoarse);
   clicks.onset.insert(clicks.onset.begin(), -std::lround(T_0 / kCoarse));
@@ -64,13 +66,15 @@ ClickTrain train_of(const ModelClicks& clicks, const ClickEnvelope& envelope, do
 }  // namespace
 
 ClickTrain fit_clicks(const Eigen::ArrayXd& y, const Candidates& candidates, const Selection& selection,
-                      FitEffort effort) {
+                      FitEffort effort, const Eigen::ArrayXd& others) {
+  const auto others_in = [&](int block) { return others.size() > 0 ? block_mean(others, block) : others; };
   const Eigen::ArrayXd q = block_power(y, kCoarse);
   std::vector<long> candidate_blocks;
   for (const int block : candidates.block) candidate_blocks.push_back(block * (kCandidateBlock / kCoarse));
   double T_0 = selection.mean_gap_blocks * kCandidateBlock;
-  ModelClicks clicks = start(q, selection, T_0);
-  ClickEnvelope envelope = first_envelope(q, {clicks.onset.begin() + 1, clicks.onset.end()}, T_0, kCoarse);
+  ModelClicks clicks = start(q, selection, T_0, others_in(kCoarse));
+  const Eigen::ArrayXd own = others.size() > 0 ? (q - clicks.others).max(0).eval() : q;
+  ClickEnvelope envelope = first_envelope(own, {clicks.onset.begin() + 1, clicks.onset.end()}, T_0, kCoarse);
   const bool rough = effort == FitEffort::kRough;
   coarse_rounds(q, candidate_blocks, rough ? kRoughRounds : kRounds, T_0, envelope, clicks);
   if (rough) {
@@ -79,8 +83,10 @@ ClickTrain fit_clicks(const Eigen::ArrayXd& y, const Candidates& candidates, con
   }
 
   rescale(clicks, kCoarse, kFine);
+  clicks.others = others_in(kFine);
   fit_envelope(block_power(y, kFine), T_0, {kFine, 40, 2}, envelope, clicks);
   rescale(clicks, kFine, 1);
+  clicks.others = others;
   const Eigen::ArrayXd power = y.square();
   const EnvelopePower shape = envelope_power(envelope, 1);
   for (const long step : {2L, 1L}) shift_clicks(power, shape, {kFullRateReach, step}, clicks);

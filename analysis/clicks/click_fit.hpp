@@ -17,8 +17,9 @@ enum class FitEffort {
 
 /// Maximum-likelihood clicks of the whitened signal y (RMS 1): three rounds on blocks of 8 samples (envelope,
 /// shifts, removals, additions), one on 2 samples, then shifts at full rate. `selection` must hold at least
-/// kFewestFitted clicks. Thread: OFF.
+/// kFewestFitted clicks. `others`: variance of what else is known to strike, a sample; empty: nothing.
+/// Thread: OFF.
 ClickTrain fit_clicks(const Eigen::ArrayXd& y, const Candidates& candidates, const Selection& selection,
-                      FitEffort effort);
+                      FitEffort effort, const Eigen::ArrayXd& others = {});
 
 }  // namespace rigsound::analysis

@@ -46,9 +46,11 @@ double by_ratio(double value, double usual, double limit) {
 Objections objections(const DrillingEvidence& e) {
   const double rate = kAnalysisRate / e.clicks.mean_gap_samples;
   const double attack_ms = 1000 * e.clicks.envelope.attack_samples / kAnalysisRate;
-  // Long in itself, unless it rises steeply, and long for its period.
+  // Long in itself, unless its bands rise steeply together (an engine's by a neper, a slow click's by two),
+  // and long for its period.
+  const double steepness = square_above_zero(std::max(1.0, e.likeness.rise));
   const double swell =
-      std::min(by_ratio(attack_ms / std::max(1.0, e.likeness.rise), 2.3, 5.4),
+      std::min(by_ratio(attack_ms / steepness, 2.3, 5.4),
                by_ratio(e.clicks.envelope.attack_samples / e.clicks.mean_gap_samples, 0.1, 0.17));
   const double surplus = e.surplus / static_cast<double>(e.clicks.P.size());
   const double unexplained = std::max(e.background_alone - kNoiseDivergence, kUnexplained);

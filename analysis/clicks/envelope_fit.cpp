@@ -46,10 +46,11 @@ void fit_envelope(const Eigen::ArrayXd& q, double T_0, const EnvelopeFitOptions&
                   ClickEnvelope& envelope, ModelClicks& clicks) {
   Eigen::ArrayXd v;
   const auto cost = [&](const std::vector<double>& t) {
-    ModelClicks trial{shifted(clicks.onset, t[kShift], options.block), clicks.power, clicks.floor};
+    ModelClicks trial{shifted(clicks.onset, t[kShift], options.block), clicks.power, clicks.floor,
+                      clicks.others};
     const TrainPower train(envelope_power(envelope_of(t), options.block), trial.onset, q.size());
     update_powers(q, train, options.sweeps, kOutlierClip, trial);
-    train.spread(trial.power, trial.floor, v);
+    model_variance(train, trial, v);
     return model_cost(q, v, options.block) + prior(t, T_0);
   };
   const std::vector<double> start = {std::log(envelope.attack_samples),

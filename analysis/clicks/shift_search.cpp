@@ -87,7 +87,7 @@ void shift_clicks(const Eigen::ArrayXd& q, const EnvelopePower& shape, const Shi
                   ModelClicks& clicks) {
   const Eigen::ArrayXd a2 = sampled_power(shape);
   Eigen::ArrayXd v;
-  TrainPower(shape, clicks.onset, q.size()).spread(clicks.power, clicks.floor, v);
+  model_variance(TrainPower(shape, clicks.onset, q.size()), clicks, v);
   const Eigen::ArrayXd clipped = q.min(kOutlierClip * v);
   std::vector<long> order(clicks.onset.size());
   std::iota(order.begin(), order.end(), 0L);

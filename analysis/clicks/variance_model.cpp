@@ -22,11 +22,16 @@ double model_cost(const Eigen::ArrayXd& q, const Eigen::ArrayXd& v, int block) {
   return 0.5 * block * (log_sum(v) + (q / v).min(kOutlierClip).sum());
 }
 
+void model_variance(const TrainPower& train, const ModelClicks& clicks, Eigen::ArrayXd& v) {
+  train.spread(clicks.power, clicks.floor, v);
+  if (clicks.others.size() > 0) v += clicks.others;
+}
+
 void update_powers(const Eigen::ArrayXd& q, const TrainPower& train, int sweeps, double clip,
                    ModelClicks& clicks) {
   Eigen::ArrayXd v, inverse, slope;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    train.spread(clicks.power, clicks.floor, v);
+    model_variance(train, clicks, v);
     inverse = v.inverse();
     slope = (q * inverse).min(clip) * inverse;
     const Eigen::ArrayXd ratio = (train.gather(slope) + 1e-30) / (train.gather(inverse) + 1e-30);

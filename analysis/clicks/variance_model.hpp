@@ -17,7 +17,11 @@ struct ModelClicks {
   std::vector<long> onset;  ///< P_i, blocks, ascending
   Eigen::ArrayXd power;     ///< beta_i^2
   double floor = 0;         ///< variance between clicks
+  Eigen::ArrayXd others;    ///< variance of what else is known to sound, a block; empty: nothing
 };
+
+/// v_n: of the clicks, the floor and the others. Thread: OFF.
+void model_variance(const TrainPower& train, const ModelClicks& clicks, Eigen::ArrayXd& v);
 
 /// sum of ln w + q / w: twice the negative log-likelihood per sample of a block. Thread: OFF.
 double divergence(const Eigen::Ref<const Eigen::ArrayXd>& q, const Eigen::Ref<const Eigen::ArrayXd>& w);

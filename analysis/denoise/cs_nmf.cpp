@@ -12,34 +12,50 @@ namespace {
 constexpr double kSecondsPerKnot = 2;
 constexpr int kBackgroundIterations = 30;
 
-int noise_knots(int frames) {
+int noise_knots(int frames, int signal_words) {
   const double seconds = frames * kChainStft.hop / kAnalysisRate;
-  return std::min(1 + static_cast<int>(std::ceil(seconds / kSecondsPerKnot - 1e-3)), kMaxWords - kDecayCount);
+  return std::min(1 + static_cast<int>(std::ceil(seconds / kSecondsPerKnot - 1e-3)),
+                  kMaxWords - signal_words);
 }
 
 }  // namespace
 
-Factors cs_nmf(const PowerSpectrogram& power, const ClickTrain& train, const CsNmfOptions& options) {
-  const int knots = noise_knots(power.frames), words = kDecayCount + knots;
+Factors cs_nmf(const PowerSpectrogram& power, const std::vector<TrainWords>& trains,
+               const CsNmfOptions& options) {
   Factors f;
-  f.signal_words = kDecayCount;
+  f.signal_words = kDecayCount * static_cast<int>(trains.size());
+  const int knots = noise_knots(power.frames, f.signal_words), words = f.signal_words + knots;
   f.H = Grid(words, power.padded());
-  f.H.topRows(kDecayCount) = click_activations(train, options.decays, power.frames, power.padded());
+  for (std::size_t k = 0; k < trains.size(); ++k)
+    f.H.middleRows(kDecayCount * static_cast<long>(k), kDecayCount) =
+        click_activations(trains[k].clicks, trains[k].decays, power.frames, power.padded());
   f.H.bottomRows(knots) = hats(knots, power.frames, power.padded());
   f.W = Grid(power.bins(), words);
   const Eigen::ArrayXf noise = noise_level(power, options.noise_start);
   const Activations H{f.H.data(), words, power.padded()};
   for (int m = 0; m < power.bins(); ++m) {
     const float mean = power.P.row(m).head(power.frames).mean();
-    f.W.row(m).head(kDecayCount) = std::max(mean - noise(m), 0.1f * mean) / kDecayCount;
+    f.W.row(m).head(f.signal_words) =
+        std::max(mean - noise(m), 0.1f * mean) / static_cast<float>(f.signal_words);
     f.W.row(m).tail(knots) = noise(m);
     is_kernels().fit_bin(power.P.row(m).data(), H, f.W.row(m).data(), options.iterations, 1.0f, kWordFloor);
   }
   return f;
 }
 
+Factors drilling_of_train(const Factors& factors, int k) {
+  Factors own = factors;
+  own.signal_words = kDecayCount;
+  const int from = kDecayCount * k;  // its words move to the front, those before them behind
+  own.W.leftCols(kDecayCount) = factors.W.middleCols(from, kDecayCount);
+  own.W.middleCols(kDecayCount, from) = factors.W.leftCols(from);
+  own.H.topRows(kDecayCount) = factors.H.middleRows(from, kDecayCount);
+  own.H.middleRows(kDecayCount, from) = factors.H.topRows(from);
+  return own;
+}
+
 Factors background_nmf(const PowerSpectrogram& power) {
-  const int knots = noise_knots(power.frames);
+  const int knots = noise_knots(power.frames, 0);
   Factors f;
   f.H = hats(knots, power.frames, power.padded());
   f.W = Grid(power.bins(), knots);

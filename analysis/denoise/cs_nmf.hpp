@@ -1,23 +1,35 @@
 // Step 6: click-synchronous NMF. The activations follow from the clicks, only the spectra are learned.
 #pragma once
 
+#include <vector>
+
 #include "denoise/click_activations.hpp"
 #include "denoise/factors.hpp"
 #include "rigsound/analysis/click_train.hpp"
 
 namespace rigsound::analysis {
 
-struct CsNmfOptions {
+/// One click train and the decays of its dictionary.
+struct TrainWords {
+  ClickTrain clicks;
   Decays decays = kUsualDecays;
+};
+
+struct CsNmfOptions {
   int iterations = 225;  ///< multiplicative updates of W
   float noise_start =
       0.05f;  ///< of the 20 % quantile's noise level; low, or a loud drill leaks into the noise
 };
 
 /// Minimises the Itakura-Saito divergence D(P | W_s E + W_n hats) over W_s and W_n, with E the click
-/// activations of `train` and one noise knot more than every two seconds. Every bin is independent. Thread:
-/// OFF.
-Factors cs_nmf(const PowerSpectrogram& power, const ClickTrain& train, const CsNmfOptions& options);
+/// activations of the trains (kDecayCount words each, at most two trains) and one noise knot more than every
+/// two seconds. Every bin is independent. Thread: OFF.
+Factors cs_nmf(const PowerSpectrogram& power, const std::vector<TrainWords>& trains,
+               const CsNmfOptions& options);
+
+/// The words of train `k` first, as the drilling; those of the other trains count among the background.
+/// Thread: OFF.
+Factors drilling_of_train(const Factors& factors, int k);
 
 /// The same without any clicks: a slow background alone. Thread: OFF.
 Factors background_nmf(const PowerSpectrogram& power);

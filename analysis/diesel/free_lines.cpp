@@ -37,7 +37,7 @@ struct Peak {
   double frequency = 0, sharpness = 0;  // power of the peak over that beside it
 };
 
-struct Candidate {
+struct LineCandidate {
   std::size_t section = 0;
   double order = 0, hz = 0, sharpness = 0, amplitude = 0;
   bool locked = false;
@@ -176,7 +176,7 @@ Wave phase_of(const Section& s, double frequency, Lock lock) {
   return phase;
 }
 
-double amplitude_of(const SectionResidual& residual, const Candidate& line) {
+double amplitude_of(const SectionResidual& residual, const LineCandidate& line) {
   const std::vector<Complex> c =
       envelope(*residual.x, phase_of(*residual.section, line.frequency(), line.lock()));
   Complex product = 0;  // of blocks that share no sample, so no noise
@@ -190,17 +190,17 @@ std::vector<Peak> peaks_over_angle(const SectionResidual& residual, int N, doubl
 }
 
 /// The lines of one section, each over time or over angle, where it is sharper.
-std::vector<Candidate> candidates_of(const SectionResidual& residual, std::size_t section, int N) {
+std::vector<LineCandidate> candidates_of(const SectionResidual& residual, std::size_t section, int N) {
   const Section& s = *residual.section;
   const double f0 = s.f0(), highest = 0.95 * s.nyquist_hz;
   const int M = 1 << static_cast<int>(std::log2(kAnalysisRate / f0));
   const View time{*residual.x, kAnalysisRate, M, 1 / f0};
-  std::vector<Candidate> found;
+  std::vector<LineCandidate> found;
   for (const Peak& p : peaks_over_angle(residual, N, kLowestLine_hz / f0, highest / f0))
     found.push_back({section, p.frequency, p.frequency * f0, p.sharpness, 0, true});
   for (const Peak& p : peaks_of(time, kLowestLine_hz, highest)) {
     const double order = p.frequency / f0;
-    const auto other = std::find_if(found.begin(), found.end(), [&](const Candidate& c) {
+    const auto other = std::find_if(found.begin(), found.end(), [&](const LineCandidate& c) {
       return c.locked && std::fabs(c.order - order) < kFlutter;
     });
     if (other == found.end())
@@ -208,30 +208,31 @@ std::vector<Candidate> candidates_of(const SectionResidual& residual, std::size_
     else if (other->sharpness < kAsSharp * p.sharpness)
       *other = {section, order, p.frequency, p.sharpness, 0, false};
   }
-  for (Candidate& c : found) c.amplitude = amplitude_of(residual, c);
+  for (LineCandidate& c : found) c.amplitude = amplitude_of(residual, c);
   return found;
 }
 
 bool same(double a, double b) { return std::fabs(a / b - 1) < kSame; }
 
 /// Whether both lie at the frequency that `lock` keeps.
-bool matches(const Candidate& c, const Candidate& other, Lock lock) {
+bool matches(const LineCandidate& c, const LineCandidate& other, Lock lock) {
   return lock == Lock::kCrank ? same(c.order, other.order) : same(c.hz, other.hz);
 }
 
 /// `first` and the lines of the other sections at its frequency, one a section.
-std::vector<Candidate> matching_lines(const Candidate& first, const std::vector<Candidate>& pool, Lock lock) {
-  std::vector<Candidate> lines = {first};
-  for (const Candidate& c : pool) {
-    const bool taken =
-        std::any_of(lines.begin(), lines.end(), [&](const Candidate& k) { return k.section == c.section; });
+std::vector<LineCandidate> matching_lines(const LineCandidate& first, const std::vector<LineCandidate>& pool,
+                                          Lock lock) {
+  std::vector<LineCandidate> lines = {first};
+  for (const LineCandidate& c : pool) {
+    const bool taken = std::any_of(lines.begin(), lines.end(),
+                                   [&](const LineCandidate& k) { return k.section == c.section; });
     if (matches(c, first, lock) && !taken) lines.push_back(c);
   }
   return lines;
 }
 
 /// Sections in which a line like `c` is far enough from the orders to be resolved.
-std::size_t resolvable_sections(const Candidate& c, Lock lock,
+std::size_t resolvable_sections(const LineCandidate& c, Lock lock,
                                 const std::vector<SectionResidual>& residuals) {
   if (lock == Lock::kCrank) return residuals.size();
   return static_cast<std::size_t>(
@@ -239,19 +240,19 @@ std::size_t resolvable_sections(const Candidate& c, Lock lock,
                     [&](const SectionResidual& r) { return is_between_orders(c.hz / r.section->f0()); }));
 }
 
-FreeLine joined(const std::vector<Candidate>& lines, Lock lock, std::size_t sections) {
+FreeLine joined(const std::vector<LineCandidate>& lines, Lock lock, std::size_t sections) {
   const auto count = static_cast<double>(lines.size());
   const bool locked = lock == Lock::kCrank;
   FreeLine line;
   line.tone.order_locked = locked;
   double power = 0;
-  for (const Candidate& c : lines) {
+  for (const LineCandidate& c : lines) {
     line.tone.frequency += (locked ? c.order : c.hz) / count;
     power += c.amplitude * c.amplitude / count;
   }
   line.tone.amplitude = std::sqrt(power);
   line.frequency.assign(sections, line.tone.frequency);
-  for (const Candidate& c : lines) line.frequency[c.section] = locked ? c.order : c.hz;
+  for (const LineCandidate& c : lines) line.frequency[c.section] = locked ? c.order : c.hz;
   return line;
 }
 
@@ -259,25 +260,25 @@ FreeLine joined(const std::vector<Candidate>& lines, Lock lock, std::size_t sect
 
 std::vector<FreeLine> free_lines(const std::vector<SectionResidual>& residuals, int N) {
   std::vector<FreeLine> lines;
-  std::vector<Candidate> pool;
+  std::vector<LineCandidate> pool;
   for (std::size_t i = 0; i < residuals.size(); ++i) {
     if (!residuals[i].section->open.empty()) return lines;
-    const std::vector<Candidate> found = candidates_of(residuals[i], i, N);
+    const std::vector<LineCandidate> found = candidates_of(residuals[i], i, N);
     pool.insert(pool.end(), found.begin(), found.end());
   }
   std::sort(pool.begin(), pool.end(),
-            [](const Candidate& a, const Candidate& b) { return a.amplitude > b.amplitude; });
+            [](const LineCandidate& a, const LineCandidate& b) { return a.amplitude > b.amplitude; });
   while (!pool.empty()) {
-    const Candidate first = pool.front();
+    const LineCandidate first = pool.front();
     pool.erase(pool.begin());
-    const std::vector<Candidate> by_order = matching_lines(first, pool, Lock::kCrank),
-                                 by_hz = matching_lines(first, pool, Lock::kTime);
+    const std::vector<LineCandidate> by_order = matching_lines(first, pool, Lock::kCrank),
+                                     by_hz = matching_lines(first, pool, Lock::kTime);
     const bool locked = by_order.size() == by_hz.size() ? first.locked : by_order.size() > by_hz.size();
     const Lock lock = locked ? Lock::kCrank : Lock::kTime;
-    const std::vector<Candidate>& matching = locked ? by_order : by_hz;
-    pool.erase(
-        std::remove_if(pool.begin(), pool.end(), [&](const Candidate& c) { return matches(c, first, lock); }),
-        pool.end());
+    const std::vector<LineCandidate>& matching = locked ? by_order : by_hz;
+    pool.erase(std::remove_if(pool.begin(), pool.end(),
+                              [&](const LineCandidate& c) { return matches(c, first, lock); }),
+               pool.end());
     if (2 * matching.size() > resolvable_sections(first, lock, residuals))
       lines.push_back(joined(matching, lock, residuals.size()));
   }

@@ -6,7 +6,7 @@
 namespace rigsound::analysis {
 
 constexpr int kLanes = 16;     ///< floats per step; rows are padded with zeros to a multiple
-constexpr int kMaxWords = 12;  ///< largest K
+constexpr int kMaxWords = 16;  ///< largest K
 
 /// `words` rows of H, each `frames` long (a multiple of kLanes), one after another.
 struct Activations {

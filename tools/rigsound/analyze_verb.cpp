@@ -74,6 +74,8 @@ void print_json(const AnalyzerResult& result) {
   for (const AnalysedPart& p : result.banks) {
     Json bank = bank_row(p).json();
     bank["rock"] = p.part.label.rock;
+    bank["machine"] = p.figures.machine;
+    bank["machine_rates_hz"] = p.figures.machine_rates_hz;
     bank["warnings"] = p.warnings;
     json["banks"].push_back(std::move(bank));
   }
@@ -140,6 +142,10 @@ void add_analyze(cli::Verb& program) {
               "says of recordings without labels that they drill, from end to end; otherwise they are normal "
               "drilling where some is found")
       .one_of({kSituationNames.begin(), kSituationNames.end()});
+  verb.option("--machine", o.machine,
+              "where two machines strike at rates of their own, the one that is learned, 1 being the louder")
+      .range(1, 2)
+      .shows_default();
   verb.option("--jobs", o.jobs, "parts analysed at the same time; banks do not depend on it")
       .range(1, 256)
       .shows_default();

@@ -25,6 +25,10 @@ void add_chain_arguments(cli::Verb& verb, ChainArguments& arguments) {
   verb.option("--method", arguments.method, "click-nmf, or paper: the drilling paper's own chain")
       .one_of({"click-nmf", "paper"})
       .shows_default();
+  verb.option("--machine", arguments.machine,
+              "where two machines strike at rates of their own, only number N, 1 being the louder; 0: both")
+      .range(0, 2)
+      .shows_default();
   verb.option("--jobs", arguments.jobs, "threads; the result does not depend on their number")
       .at_least(1)
       .shows_default();
@@ -54,6 +58,7 @@ ChainResult run_chain(const Recording& recording, const ChainArguments& argument
   options.method = arguments.method == "paper" ? Method::kPaper : Method::kClickNmf;
   options.denoise = denoising == Denoising::kOn;
   if (dump) options.dump = dump->temporary();
+  options.machine = arguments.machine;
   options.jobs = arguments.jobs;
   options.progress = [&bar](int done, int total) { bar.show(done, total); };
   ChainResult result = analysis::run_chain(recording.mono, options);
@@ -62,6 +67,8 @@ ChainResult run_chain(const Recording& recording, const ChainArguments& argument
 }
 
 void report_where(const ChainArguments& arguments, const ChainResult& result) {
+  const std::string machines = machines_text(result.machines);
+  if (!machines.empty()) fmt::print(stderr, "{}: {}\n", arguments.input, machines);
   const std::string stretches = stretches_text(result.verdict);
   if (!result.drilling_found)
     fmt::print(stderr, "{}: no drilling found: {}\n", arguments.input, result.reason);

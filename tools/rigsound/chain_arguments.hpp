@@ -13,10 +13,10 @@ struct ChainArguments {
   std::string input;
   std::string method = "click-nmf";
   std::string dump;
-  int jobs = 1;
+  int machine = 0, jobs = 1;
 };
 
-/// IN.wav, --method, --jobs and --dump.
+/// IN.wav, --method, --machine, --jobs and --dump.
 void add_chain_arguments(cli::Verb& verb, ChainArguments& arguments);
 
 /// Reads the recording, which may be silent; tells on stderr how. Errors:

@@ -15,10 +15,30 @@ struct ClicksOptions {
   bool no_denoise = false, json = false;
 };
 
-FigureRow click_row(double onset_samples, double amplitude) {
+/// `machine` 0: there is only one.
+FigureRow click_row(double onset_samples, double amplitude, int machine) {
   FigureRow row;
-  return row.add("time_s", onset_samples / analysis::kAnalysisRate, "{:.6f}")
-      .add("amplitude", amplitude, "{:.6g}");
+  row.add("time_s", onset_samples / analysis::kAnalysisRate, "{:.6f}").add("amplitude", amplitude, "{:.6g}");
+  if (machine > 0) row.add_count("machine", static_cast<std::size_t>(machine));
+  return row;
+}
+
+std::vector<FigureRow> click_rows(const analysis::ChainResult& result) {
+  std::vector<FigureRow> rows;
+  for (std::size_t i = 0; i < result.clicks.P.size(); ++i)
+    rows.push_back(click_row(result.clicks.P[i], result.clicks.beta[i],
+                             result.struck_by.empty() ? 0 : result.struck_by[i]));
+  return rows;
+}
+
+std::vector<FigureRow> machine_rows(const analysis::ChainResult& result) {
+  std::vector<FigureRow> rows;
+  for (const analysis::Machine& m : result.machines)
+    rows.push_back(FigureRow()
+                       .add("rate_hz", m.rate_hz)
+                       .add_count("clicks", m.clicks)
+                       .add("level_db", m.level_db, "{:.2f}"));
+  return rows;
 }
 
 std::vector<FigureRow> stretch_rows(const analysis::ChainResult& result) {
@@ -41,18 +61,17 @@ void run(const ClicksOptions& options) {
   const analysis::Recording recording = read_input(options.chain);
   const analysis::ChainResult result =
       run_chain(recording, options.chain, options.no_denoise ? Denoising::kOff : Denoising::kOn);
-  std::vector<FigureRow> rows;
-  for (std::size_t i = 0; i < result.clicks.P.size(); ++i)
-    rows.push_back(click_row(result.clicks.P[i], result.clicks.beta[i]));
+  const std::vector<FigureRow> rows = click_rows(result);
   if (options.json) {
     print_document({{"recording", options.chain.input},
                     {"drilling_found", result.drilling_found},
                     {"reason", result.reason},
+                    {"machines", json_list(machine_rows(result))},
                     {"drilling", json_list(stretch_rows(result))},
                     {"windows", json_list(window_rows(result))},
                     {"clicks", json_list(rows)}});
   } else {
-    std::string csv = click_row(0, 0).csv_head();
+    std::string csv = click_row(0, 0, result.struck_by.empty() ? 0 : 1).csv_head();
     for (const FigureRow& row : rows) csv += row.csv();
     std::fputs(csv.c_str(), stdout);
   }
@@ -70,7 +89,9 @@ void add_clicks(cli::Verb& program) {
   verb.flag("--json", options->json, "clicks and verdict as one JSON document instead of CSV");
   verb.details(
       "Writes CSV to stdout: time_s (onset, seconds of the recording), amplitude (full scale 1), sorted by "
-      "time. "
+      "time; where two machines strike at rates of their own, machine (1: the louder), and stderr names both "
+      "with "
+      "their rates. "
       "Every window of 2 s gets a probability that it is drilling (--json prints them, one a second); clicks "
       "are "
       "those of stretches above 0.5, which are told on stderr when they are not all of it. "

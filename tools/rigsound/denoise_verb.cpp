@@ -62,7 +62,7 @@ void add_denoise(cli::Verb& program) {
   verb.details(
       "Where no clicks are found the background is removed without them; the reason is told on stderr, exit "
       "code "
-      "0.");
+      "0. Of two machines --machine keeps one and removes the other with the background.");
   verb.example("rigsound denoise rock.wav drilling.wav --noise diesel.wav");
   verb.callback([options] { run(*options); });
 }

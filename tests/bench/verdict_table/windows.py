@@ -16,7 +16,7 @@ def features_of(binary, path):
         subprocess.run([binary, 'clicks', path, '--jobs', '1', '--dump', os.path.join(folder, 'dump')], check=True,
                        capture_output=True)
         rows = []
-        for table in glob.glob(os.path.join(folder, 'dump', '**', '*_evidence.csv'), recursive=True):
+        for table in glob.glob(os.path.join(folder, 'dump', '**', 'pass2_evidence.csv'), recursive=True):
             with open(table) as file:
                 rows += [[float(row[name]) for name in FEATURES] for row in csv.DictReader(file) if float(row['clicks']) >= 4]
         return rows

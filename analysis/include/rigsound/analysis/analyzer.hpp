@@ -27,6 +27,7 @@ struct AnalyzerOptions {
                                        ///< that they hold drilling, and the verdict decides
   Method method = Method::kClickNmf;
   bool denoise = true;        ///< false: recordings are taken as clean
+  int machine = 1;            ///< of several in a part the one that is learned, 1 the loudest
   int clicks = 10;            ///< in a bank, at most
   int jobs = 1;               ///< parts analysed at the same time
   int shard = 1, shards = 1;  ///< this run does every shards-th part

@@ -23,6 +23,8 @@ struct BankFigures {
   double ltas_denoised_error_db = 0;  ///< the same against the denoised recording as it is
   double modulation_error_db = 0;
   std::string doubt;  ///< what speaks against the label's word that it drills; empty: nothing
+  int machine = 1;    ///< which of the part's machines the bank is of
+  std::vector<double> machine_rates_hz;  ///< of all of them, the loudest first
 };
 
 struct BuiltBank {

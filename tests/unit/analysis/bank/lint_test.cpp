@@ -18,7 +18,7 @@ AnalysedPart part(const std::string& bank, Situation situation, int rods, double
   p.part.label.rods = rods;
   p.mean_gap_samples = T_0;
   p.clicks = 10;
-  p.figures = {60, 1, 1, 48000 / T_0, level_db, 10, 0.05, 0.05, 0.3, 0.5, 2, {}};
+  p.figures = {60, 1, 1, 48000 / T_0, level_db, 10, 0.05, 0.05, 0.3, 0.5, 2, {}, 1, {}};
   return p;
 }
 
@@ -44,6 +44,10 @@ TEST_CASE("lint warns about what it should, and about nothing else") {
   CHECK(warns(with([](AnalysedPart& p) { p.figures.rate_hz = 125; }), "rate out of range"));
   CHECK(warns(with([](AnalysedPart& p) { p.figures.segments = 3; }), "1 of 3 segments"));
   CHECK(warns(with([](AnalysedPart& p) { p.figures.doubt = "it swells"; }), "may be no drilling: it swells"));
+  CHECK(warns(with([](AnalysedPart& p) {
+                p.figures.machine_rates_hz = {34, 21}, p.figures.machine = 2;
+              }),
+              "at 34.0 and 21.0 Hz: this is number 2, --machine 1 takes the other"));
 }
 
 TEST_CASE("lint finds the bank that is out of order among rods, and says so in strikes and rods") {

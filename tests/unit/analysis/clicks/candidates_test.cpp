@@ -24,12 +24,14 @@ TEST_CASE("the statistic is the likelihood ratio of two variances against one") 
 }
 
 TEST_CASE("a downward step is no candidate") {
-  const Eigen::ArrayXd cumulative = (Eigen::ArrayXd(5) << 0, 4, 8, 9, 10).finished();
+  Eigen::ArrayXd cumulative(5);
+  cumulative << 0, 4, 8, 9, 10;
   CHECK(step_statistic(cumulative, 2, 2, 2, 16) == 0);
 }
 
 TEST_CASE("of two close peaks the lower goes") {
-  const Eigen::ArrayXd z = (Eigen::ArrayXd(12) << 0, 3, 0, 5, 0, 0, 0, 4, 0, 1, 0, 9).finished();
+  Eigen::ArrayXd z(12);
+  z << 0, 3, 0, 5, 0, 0, 0, 4, 0, 1, 0, 9;
   CHECK(peaks(z, 2, 1) == std::vector<int>{1, 3, 7});
   CHECK(peaks(z, 2, 3) == std::vector<int>{3, 7});
 }

@@ -110,14 +110,14 @@ TEST_CASE("click-synchronous words find the two spectra a mixture was made of") 
   const int frames = 375;
   const PowerSpectrogram shape = noisy_power(Grid::Constant(32, frames, 1.0f), 10);
   CsNmfOptions options;
-  const Factors like = cs_nmf(shape, train, options);
+  const Factors like = cs_nmf(shape, {{train}}, options);
   Grid S(32, frames), N(32, frames);
   for (int m = 0; m < 32; ++m) {
     S.row(m) = like.H.row(2).head(frames) * (m < 16 ? 4.0f : 0.01f);
     N.row(m).setConstant(m < 16 ? 0.02f : 1.0f);
   }
   const PowerSpectrogram power = noisy_power(S + N, 11);
-  const PsdPair psd = modelled_psd(cs_nmf(power, train, options), power);
+  const PsdPair psd = modelled_psd(cs_nmf(power, {{train}}, options), power);
   CHECK(psd.S.topRows(16).mean() == doctest::Approx(S.topRows(16).mean()).epsilon(0.1));
   CHECK(psd.N.bottomRows(16).mean() == doctest::Approx(1.0).epsilon(0.1));
   CHECK(psd.S.bottomRows(16).mean() < 0.15);
