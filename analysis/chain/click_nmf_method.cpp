@@ -24,11 +24,15 @@ constexpr unsigned kStarts = 3;
 // What a chain has over chance, a click. Of 32 drills at -6 dB none was below 0.43, of 54 noises and effects
 // three in four were below 0.23 and nine in ten below 0.6.
 constexpr double kHopeless = 0.3, kClear = 1;
+constexpr double kSlowCost = 0.06;    // times the squared share of noise, chosen on ids 100-131
 constexpr int kRoughIterations = 90;  // of step 6, where its result only guides the next search
 
 struct MeanPsd {
   Eigen::ArrayXd S, N;
 };
+
+/// Of all power.
+double noise_share(const MeanPsd& psd) { return psd.N.sum() / (psd.S.sum() + psd.N.sum()); }
 
 MeanPsd mean_over_time(const PsdPair& psd) {
   return {psd.S.cast<double>().rowwise().mean(), psd.N.cast<double>().rowwise().mean()};
@@ -105,10 +109,12 @@ CsNmfOptions rough_options() {
   return options;
 }
 
-/// For the last pass: by then the clicks' envelope is known well enough to choose the decays by it.
-CsNmfOptions final_options(const ClickTrain& clicks) {
+/// For the last pass: by then the clicks' envelope is known well enough to choose the decays by it. A slow
+/// tail is believed the less the more of the recording is noise: the tails of a clean one are heard.
+CsNmfOptions final_options(const ClickTrain& clicks, double noise) {
   CsNmfOptions options;
   options.decays = decays_around(clicks);
+  options.slow_cost = static_cast<float>(kSlowCost * noise * noise);
   return options;
 }
 
@@ -166,13 +172,21 @@ struct Pass {
   std::optional<Factors> factors;
 };
 
-Pass pass_through(Search found, FitEffort effort, const std::string& name, const PowerSpectrogram& power,
-                  const Dump& dump) {
+/// The first pass only guides the second.
+Pass first_pass(Search found, const PowerSpectrogram& power, const Dump& dump) {
   Pass pass{std::move(found), {}, {}};
-  pass.clicks = fit(pass.found, effort, name, dump);
+  pass.clicks = fit(pass.found, FitEffort::kRough, "pass1", dump);
+  if (pass.clicks.P.size() >= kFewestFitted) pass.factors = cs_nmf(power, pass.clicks, rough_options());
+  return pass;
+}
+
+/// `powers`: those of the first.
+Pass second_pass(const std::vector<float>& x, const MeanPsd& powers, const PowerSpectrogram& power,
+                 const Dump& dump) {
+  Pass pass{search(x, powers), {}, {}};
+  pass.clicks = fit(pass.found, FitEffort::kFull, "pass2", dump);
   if (pass.clicks.P.size() >= kFewestFitted)
-    pass.factors =
-        cs_nmf(power, pass.clicks, effort == FitEffort::kFull ? final_options(pass.clicks) : rough_options());
+    pass.factors = cs_nmf(power, pass.clicks, final_options(pass.clicks, noise_share(powers)));
   return pass;
 }
 
@@ -186,11 +200,11 @@ ClipSplit split_by_click_nmf(const std::vector<float>& x, const std::vector<Segm
   const Start start = clearest_start(options.seed, x, power);
   dump_split(dump, "blind", X, start.blind, x.size());
 
-  Pass pass = pass_through(start.found, FitEffort::kRough, "pass1", power, dump);
+  Pass pass = first_pass(start.found, power, dump);
   if (pass.factors && (options.labelled || start.found.clearness() >= kHopeless)) {
     const PsdPair rough = modelled_psd(*pass.factors, power);
     dump_split(dump, "pass1", X, rough, x.size());
-    pass = pass_through(search(x, mean_over_time(rough)), FitEffort::kFull, "pass2", power, dump);
+    pass = second_pass(x, mean_over_time(rough), power, dump);
   }
   ClipSplit split;
   split.verdict = judge(windows, searched(pass.found, pass.clicks, power, pass.factors), "pass2", dump);
