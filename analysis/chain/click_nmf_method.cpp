@@ -26,7 +26,11 @@ constexpr double kHopeless = 0.3, kClear = 1;
 // Probability of the rough clicks' best window. Of 130 drills, 32 of them at -6 dB, none was below 5e-4; of
 // 187 other sounds four in five are below this.
 constexpr double kPromising = 1e-4;
+constexpr double kSlowCost = 0.06;    // times the squared share of noise, chosen on ids 100-131
 constexpr int kRoughIterations = 90;  // of step 6, where its result only guides the next search
+
+/// Of all power.
+double noise_share(const MeanPsd& psd) { return psd.N.sum() / (psd.S.sum() + psd.N.sum()); }
 
 /// What each modelled power explains of the recorded one: the model's own sum is up to 1.5 dB above it in
 /// bins where clicks decay otherwise than the activations.
@@ -76,9 +80,12 @@ Factors rough_factors(const PowerSpectrogram& power, const ClickTrain& clicks) {
   return cs_nmf(power, {{clicks, kUsualDecays}}, options);
 }
 
-/// For the last pass: by then the clicks' envelope is known well enough to choose the decays by it.
-Factors final_factors(const PowerSpectrogram& power, const ClickTrain& clicks) {
-  return cs_nmf(power, {{clicks, decays_around(clicks)}}, {});
+/// For the last pass: by then the clicks' envelope is known well enough to choose the decays by it. A slow
+/// tail is believed the less the more of the recording is noise: the tails of a clean one are heard.
+Factors final_factors(const PowerSpectrogram& power, const ClickTrain& clicks, double noise) {
+  CsNmfOptions options;
+  options.slow_cost = static_cast<float>(kSlowCost * noise * noise);
+  return cs_nmf(power, {{clicks, decays_around(clicks)}}, options);
 }
 
 SearchedClip searched(const ClickSearch& found, const ClickTrain& clicks, const PowerSpectrogram& power,
@@ -135,13 +142,21 @@ struct Pass {
   std::optional<Factors> factors;
 };
 
-Pass pass_through(ClickSearch found, FitEffort effort, const std::string& name, const PowerSpectrogram& power,
-                  const Dump& dump) {
+/// The first pass only guides the second.
+Pass first_pass(ClickSearch found, const PowerSpectrogram& power, const Dump& dump) {
   Pass pass{std::move(found), {}, {}};
-  pass.clicks = fit(pass.found, effort, name, dump);
+  pass.clicks = fit(pass.found, FitEffort::kRough, "pass1", dump);
+  if (pass.clicks.P.size() >= kFewestFitted) pass.factors = rough_factors(power, pass.clicks);
+  return pass;
+}
+
+/// `powers`: those of the first.
+Pass second_pass(const std::vector<float>& x, const MeanPsd& powers, const PowerSpectrogram& power,
+                 const Dump& dump) {
+  Pass pass{search_clicks(x, powers), {}, {}};
+  pass.clicks = fit(pass.found, FitEffort::kFull, "pass2", dump);
   if (pass.clicks.P.size() >= kFewestFitted)
-    pass.factors =
-        effort == FitEffort::kFull ? final_factors(power, pass.clicks) : rough_factors(power, pass.clicks);
+    pass.factors = final_factors(power, pass.clicks, noise_share(powers));
   return pass;
 }
 
@@ -189,7 +204,7 @@ std::vector<ClipMachine> split_by_click_nmf(const std::vector<float>& x, const s
   const Start start = clearest_start(options.seed, x, power);
   dump_split(dump, "blind", X, start.blind, x.size());
 
-  Pass pass = pass_through(start.found, FitEffort::kRough, "pass1", power, dump);
+  Pass pass = first_pass(start.found, power, dump);
   const auto verdict_on = [&](const Dump& into) {
     return judge(windows, searched(pass.found, pass.clicks, power, pass.factors), "pass2", into);
   };
@@ -199,7 +214,7 @@ std::vector<ClipMachine> split_by_click_nmf(const std::vector<float>& x, const s
   if (pass.factors && (options.labelled || may_drill())) {
     const PsdPair rough = modelled_psd(*pass.factors, power);
     dump_split(dump, "pass1", X, rough, x.size());
-    pass = pass_through(search_clicks(x, mean_over_time(rough)), FitEffort::kFull, "pass2", power, dump);
+    pass = second_pass(x, mean_over_time(rough), power, dump);
   }
   std::vector<JudgedWindow> verdict = verdict_on(dump);
   if (drills(verdict))

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "kernels/is_kernels.hpp"
 #include "rigsound/analysis/rate.hpp"
@@ -11,11 +12,30 @@ namespace {
 
 constexpr double kSecondsPerKnot = 2;
 constexpr int kBackgroundIterations = 30;
+constexpr double kDearest = 0.4, kCostless = 0.8;  // decays, of the train's own
+constexpr double kShallow = 12, kDeep = 24;        // dB that the train falls by from click to click
 
 int noise_knots(int frames, int signal_words) {
   const double seconds = frames * kChainStft.hop / kAnalysisRate;
   return std::min(1 + static_cast<int>(std::ceil(seconds / kSecondsPerKnot - 1e-3)),
                   kMaxWords - signal_words);
+}
+
+/// What each word of the trains costs, in the order of the words; 1 is the usual.
+std::vector<float> word_costs(const std::vector<TrainWords>& trains, float slow_cost, int words) {
+  std::vector<float> cost(static_cast<std::size_t>(words), 1.0f);
+  auto* word = cost.data();
+  for (const TrainWords& train : trains) {
+    const double own = train.clicks.envelope.decay * train.clicks.mean_gap_samples;
+    const double fall_db = 20 / std::log(10.0) * own;
+    const double most =
+        static_cast<double>(slow_cost) * std::clamp((fall_db - kShallow) / (kDeep - kShallow), 0.0, 1.0);
+    for (const double decay : train.decays) {
+      const double slowness = (kCostless - decay / own) / (kCostless - kDearest);
+      *word++ += static_cast<float>(most * std::clamp(slowness, 0.0, 1.0));
+    }
+  }
+  return cost;
 }
 
 }  // namespace
@@ -32,7 +52,8 @@ Factors cs_nmf(const PowerSpectrogram& power, const std::vector<TrainWords>& tra
   f.H.bottomRows(knots) = hats(knots, power.frames, power.padded());
   f.W = Grid(power.bins(), words);
   const Eigen::ArrayXf noise = noise_level(power, options.noise_start);
-  const Activations H{f.H.data(), words, power.padded()};
+  const std::vector<float> cost = word_costs(trains, options.slow_cost, words);
+  const Activations H{f.H.data(), words, power.padded(), cost.data()};
   for (int m = 0; m < power.bins(); ++m) {
     const float mean = power.P.row(m).head(power.frames).mean();
     f.W.row(m).head(f.signal_words) =

@@ -11,6 +11,7 @@ namespace {
 
 constexpr float kAudiblePower = 1e-5f;  // of the loudest bin's power
 constexpr float kModelFloor = 1e-12f;
+constexpr float kSilenced = 0.02f;  // of a bin's mean error
 
 }  // namespace
 
@@ -51,7 +52,11 @@ PsdPair modelled_psd(const Factors& factors, const PowerSpectrogram& power) {
 }
 
 Spectrogram wiener(const Spectrogram& X, const PsdPair& psd) {
-  const Grid gain = psd.S / (psd.S + psd.N).max(1e-30f);
+  Grid gain = psd.S / (psd.S + psd.N).max(1e-30f);
+  const Grid held = psd.S * gain;
+  // A gain lowered by the share d costs S G d^2 more error: d = c / (S G + c) at most c / 4.
+  const Eigen::ArrayXf c = kSilenced * (psd.N * gain).rowwise().mean();
+  gain *= held / (held.colwise() + c).max(1e-30f);
   return X * gain.cast<std::complex<float>>();
 }
 

@@ -10,6 +10,8 @@ namespace rigsound::analysis {
 namespace {
 
 constexpr int kWelchCycles = 16;
+constexpr double kLowestThird_hz = 40;
+constexpr double kStanding_db = 10;
 constexpr double kEnvelopeFloor = 0.01, kModulationFloor = 1e-3;
 
 int welch_cycles(std::size_t samples, int N) {
@@ -66,6 +68,27 @@ std::vector<double> modulation(std::vector<double> e) {
   return db;
 }
 
+/// How far the highest bin within an eighth of an order of each order stands above the mean of what lies
+/// within an eighth of midway to its neighbours, dB; order k at index k.
+std::vector<double> order_heights(const CyclicSound& s) {
+  const int cycles = welch_cycles(s.y.size(), s.N);
+  const std::vector<double> power = order_spectrum(s.y, s.N, cycles);
+  const auto mean = [&](double from, double to) {
+    double sum = 0;
+    const auto first = static_cast<std::size_t>(std::lround(from * cycles)),
+               last = static_cast<std::size_t>(std::lround(to * cycles));
+    for (std::size_t b = first; b <= last; ++b) sum += power[b] / static_cast<double>(last - first + 1);
+    return sum + 1e-30;
+  };
+  std::vector<double> db = {0};
+  for (int k = 1; (k + 1) * cycles < static_cast<int>(power.size()); ++k) {
+    const double floor = 0.5 * (mean(k - 0.625, k - 0.375) + mean(k + 0.375, k + 0.625));
+    const auto near = power.begin() + std::lround((k - 0.125) * cycles);
+    db.push_back(10 * std::log10(*std::max_element(near, near + cycles / 4 + 1) / floor));
+  }
+  return db;
+}
+
 double rms_difference(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
@@ -80,20 +103,49 @@ std::vector<double> envelope_bands(double highest_hz) {
   return edges;
 }
 
-ThirdOctaves third_octaves(const CyclicSound& s, double highest_hz) {
+std::vector<double> fractional_octaves(const CyclicSound& s, int fraction, double lowest_hz,
+                                       double highest_hz) {
   const int cycles = welch_cycles(s.y.size(), s.N);
   const std::vector<double> power = order_spectrum(s.y, s.N, cycles);
-  ThirdOctaves levels;
-  for (double centre = 40; centre < highest_hz; centre *= std::cbrt(2.0)) {
+  const double step = std::pow(2.0, 1.0 / fraction), edge = std::sqrt(step);
+  std::vector<double> db;
+  for (double centre = lowest_hz; centre < highest_hz; centre *= step) {
     if (centre <= 1.5 * s.f0) continue;
     double sum = 1e-30;
     for (std::size_t b = 0; b < power.size(); ++b) {
       const double f = static_cast<double>(b) / cycles * s.f0;
-      if (f >= centre / std::pow(2.0, 1.0 / 6) && f < centre * std::pow(2.0, 1.0 / 6)) sum += power[b];
+      if (f >= centre / edge && f < centre * edge) sum += power[b];
     }
-    levels.centre_hz.push_back(centre), levels.db.push_back(10 * std::log10(sum));
+    db.push_back(10 * std::log10(sum));
   }
-  return levels;
+  return db;
+}
+
+double valley_depth(const std::vector<double>& levels_db, std::size_t group) {
+  double sum = 0;
+  const std::size_t groups = levels_db.size() / group;
+  for (std::size_t g = 0; g < groups; ++g) {
+    const auto [low, high] =
+        std::minmax_element(levels_db.begin() + static_cast<std::ptrdiff_t>(g * group),
+                            levels_db.begin() + static_cast<std::ptrdiff_t>((g + 1) * group));
+    sum += *high - *low;
+  }
+  return sum / static_cast<double>(groups);
+}
+
+StandingOrders standing_orders(const CyclicSound& a, const CyclicSound& reference, double lowest_hz,
+                               double highest_hz) {
+  const std::vector<double> heights = order_heights(a), wanted = order_heights(reference);
+  StandingOrders orders;
+  const auto last = static_cast<std::size_t>(highest_hz / reference.f0);
+  for (auto k = static_cast<std::size_t>(std::ceil(lowest_hz / reference.f0));
+       k <= std::min({last, heights.size() - 1, wanted.size() - 1}); ++k) {
+    if (wanted[k] < kStanding_db) continue;
+    ++orders.count;
+    orders.lost_db += wanted[k] - heights[k];
+  }
+  if (orders.count > 0) orders.lost_db /= orders.count;
+  return orders;
 }
 
 std::vector<double> cyclic_envelope(const CyclicSound& s, double low_hz, double high_hz) {
@@ -102,7 +154,8 @@ std::vector<double> cyclic_envelope(const CyclicSound& s, double low_hz, double 
 
 Likeness likeness(const CyclicSound& a, const CyclicSound& b, double highest_hz) {
   Likeness result;
-  result.third_octave_db = rms_difference(third_octaves(a, highest_hz).db, third_octaves(b, highest_hz).db);
+  result.third_octave_db = rms_difference(fractional_octaves(a, 3, kLowestThird_hz, highest_hz),
+                                          fractional_octaves(b, 3, kLowestThird_hz, highest_hz));
   const std::vector<double> edges = envelope_bands(std::min(highest_hz, 0.45 * a.N * a.f0));
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
     const std::vector<double> ea = band_power(a, edges[i], edges[i + 1]),

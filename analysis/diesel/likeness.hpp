@@ -21,11 +21,22 @@ struct Likeness {
 /// Both must begin at the same crank angle. `highest_hz`: nothing above counts. Thread: OFF.
 Likeness likeness(const CyclicSound& a, const CyclicSound& b, double highest_hz);
 
-/// Third-octave levels, dB, from 40 Hz up, and their centres. Thread: OFF.
-struct ThirdOctaves {
-  std::vector<double> centre_hz, db;
+/// Levels, dB, of bands of 1/`fraction` octave centred from `lowest_hz` to below `highest_hz`; none below one
+/// and a half cycles. Thread: OFF.
+std::vector<double> fractional_octaves(const CyclicSound& s, int fraction, double lowest_hz,
+                                       double highest_hz);
+
+/// Mean over groups of `group` neighbouring levels of the highest less the lowest, dB; a last group that is
+/// not full does not count. Thread: OFF.
+double valley_depth(const std::vector<double>& levels_db, std::size_t group);
+
+/// Orders between `lowest_hz` and `highest_hz` that stand 10 dB or more above what lies midway between them.
+struct StandingOrders {
+  int count = 0;       ///< in the reference
+  double lost_db = 0;  ///< mean by which they stand lower in the other sound
 };
-ThirdOctaves third_octaves(const CyclicSound& s, double highest_hz);
+StandingOrders standing_orders(const CyclicSound& a, const CyclicSound& reference, double lowest_hz,
+                               double highest_hz);
 
 /// Mean power over the cycle in kEnvelopeSlots parts, mean 1, of the band low...high Hz. Thread: OFF.
 constexpr int kEnvelopeSlots = 64;

@@ -13,6 +13,7 @@ struct Activations {
   const float* H = nullptr;
   int words = 0;
   int frames = 0;
+  const float* cost = nullptr;  ///< of each word: fit_bin multiplies its denominator by it; null: 1
 };
 
 struct IsKernels {

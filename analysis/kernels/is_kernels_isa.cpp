@@ -46,7 +46,8 @@ void fit_bin(const float* P, const Activations& H, float* w, int iterations, flo
       }
     }
     for (int k = 0; k < K; ++k) {
-      const float ratio = sum(numerator[k]) / (sum(denominator[k]) + 1e-12f);
+      const float cost = H.cost ? H.cost[k] : 1.0f;
+      const float ratio = sum(numerator[k]) / (cost * sum(denominator[k]) + 1e-12f);
       const float next = w[k] * (exponent == 1.0f ? ratio : powf(ratio, exponent));
       w[k] = next > floor ? next : floor;
     }

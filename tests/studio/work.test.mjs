@@ -8,7 +8,7 @@ import { pages } from './places.mjs';
 
 const kId = documents.recording.id;
 const job = (state, more = {}) => ({ id: 'j1', kind: 'analyze', state, progress: 0.4, left_s: 12.5, done: [], result: null, error: null, ...more });
-const made = { bank: 'normal_01500ms', situation: 'normal', rods: 2, feed_bar: 110, rate_hz: 41.9, clicks: 10, found: 190, level_db: -20.1, snr_db: 13, ltas_error_db: 0.6, modulation_error_db: 1.1 };
+const made = { bank: 'normal_01500ms', situation: 'normal', rods: 2, feed_bar: 110, rate_hz: 41.9, clicks: 10, found: 190, level_db: -20.1, snr_db: 13, ltas_error_db: 0.6, ltas_denoised_error_db: 0.8, modulation_error_db: 1.1 };
 const status = { rig: 'demo.toml', muted: false, audio: { playing: true, card: 'hw:0', xruns: 0, deadline_misses: 2 }, meters: { peak_db: -12, rms_db: -24, limiter_db: 0, lost_clicks: 0 },
   signals: { engine_rpm: { value: 1500, unit: 'r/min', validity: 'valid', word: '', refused: 0, clamped: 0 }, 'boom1.feed_pressure_bar': { value: 90, unit: 'bar', validity: 'valid', word: '', refused: 0, clamped: 0 },
     'boom1.rod_count': { value: 2, unit: '', validity: 'stale', word: '', refused: 3, clamped: 0 } },

@@ -171,7 +171,10 @@ void add_analyze(cli::Verb& program) {
       "part "
       "every 10 bar. From banks of three feeds or more of one rod count and rock, how the sound goes on "
       "beyond "
-      "them is written to soundset.toml as [[laws]].");
+      "them is written to soundset.toml as [[laws]].\n"
+      "ltas_error_db: how far the spectrum of a bank is from what it aims at, the recorded drilling with "
+      "what "
+      "denoising took given back; ltas_denoised_error_db: how far from the denoised recording as it is.");
   verb.example("rigsound analyze recordings/ --out soundset --jobs 4 --report report.html");
   verb.example("rigsound analyze recordings/ --out soundset --json");
   verb.example(

@@ -23,6 +23,7 @@ namespace fs = std::filesystem;
 constexpr double kIdle_rpm = 799;  // 26.63 firings a second, four a cycle
 constexpr double kEndless_s = 180;
 constexpr int kGrains = 48;
+constexpr double kValleys_hz[] = {250, 1000};
 
 /// The paper's model of the whole engine: L = 1, one energy a subband, harmonics by their mean.
 CyclicSound paper_model(const CyclicSound& recorded, int N) {
@@ -92,16 +93,33 @@ struct Bounds {
   double third_octave, envelope, modulation, correlation;
 };
 
+/// What the picture of the spectrum shows: valleys between its lines, and lines that stand out of them.
+void valley_rows(Table& table, const std::string& name, const CyclicSound& played,
+                 const CyclicSound& recorded) {
+  const auto depth = [](const CyclicSound& s, int fraction, std::size_t group) {
+    return valley_depth(fractional_octaves(s, fraction, kValleys_hz[0], kValleys_hz[1]), group);
+  };
+  table.note("idle, recorded: depth of third-octave valleys, 250...1000 Hz", depth(recorded, 3, 3), "dB");
+  table.note("idle, " + name + ": depth of third-octave valleys", depth(played, 3, 3), "dB");
+  table.note("idle, recorded: depth of 1/24-octave valleys, 250...1000 Hz", depth(recorded, 24, 8), "dB");
+  table.note("idle, " + name + ": depth of 1/24-octave valleys", depth(played, 24, 8), "dB");
+  const StandingOrders orders = standing_orders(played, recorded, 300, 1000);
+  table.note("idle, recorded: orders 10 dB over their floor, 300...1000 Hz", orders.count, "");
+  table.note("idle, " + name + ": they stand lower by", orders.lost_db, "dB");
+}
+
 /// The rows of one way to play the high layer; returns the cyclic envelope's error.
 double model_rows(Table& table, const DieselTake& take, const DieselModel& model, const Bounds& bounds) {
   const DieselPoint& point = model.points.front();
   const double highest = std::min(9000.0, 0.45 * take.source_rate);
   const CyclicSound recorded = recorded_cycles(section_of(take), point, model.angle_samples);
   const int cycles = static_cast<int>(recorded.y.size()) / recorded.N;
-  const Likeness l = likeness(played_cycles(model, point, cycles, 1), recorded, highest);
+  const CyclicSound played = played_cycles(model, point, cycles, 1);
+  const Likeness l = likeness(played, recorded, highest);
   table.at_most("idle, " + bounds.name + ": third-octave", bounds.third_octave, l.third_octave_db, "dB");
   table.at_most("idle, " + bounds.name + ": cyclic envelope", bounds.envelope, l.cyclic_envelope_db, "dB");
   table.at_most("idle, " + bounds.name + ": modulation spectrum", bounds.modulation, l.modulation_db, "dB");
+  valley_rows(table, bounds.name, played, recorded);
   const CyclicSound endless =
       played_cycles(model, point, static_cast<int>(kEndless_s * cycles_per_second(point.rpm)), 2);
   table.at_most("180 s, " + bounds.name + ": autocorrelation beyond 1 s", bounds.correlation,

@@ -10,12 +10,20 @@ import numpy as np
 from scipy.io import wavfile
 
 
-def read_wave(path):
+def wave_of(path):
+    """Rate and one channel, full scale 1."""
     with warnings.catch_warnings():
         warnings.simplefilter('ignore')
         rate, x = wavfile.read(path)
+    if x.dtype.kind == 'i':
+        x = x / (np.iinfo(x.dtype).max + 1)
+    return rate, x.astype(float) if x.ndim == 1 else x.mean(1)
+
+
+def read_wave(path):
+    rate, x = wave_of(path)
     assert rate == 48000, path
-    return x.astype(float)
+    return x
 
 
 def write_wave(path, x):

@@ -15,7 +15,7 @@ import { askJson } from '../server/request';
 import type { Page } from '../shell/page';
 import { failed, loading } from '../shell/states';
 
-interface MadeBank { bank: string; situation: string; rate_hz: number; clicks: number; found: number; level_db: number; snr_db: number; ltas_error_db: number; modulation_error_db: number }
+interface MadeBank { bank: string; situation: string; rate_hz: number; clicks: number; found: number; level_db: number; snr_db: number; ltas_error_db: number; ltas_denoised_error_db: number; modulation_error_db: number }
 interface Result { banks: MadeBank[]; failures: string[]; warnings: string[] }
 
 /** Figures of finished banks; their pictures when one is chosen. */
@@ -44,16 +44,16 @@ const results = () => {
     seen.set(name, made);
     if (seen.size === 1 && !detail.firstChild) void look(name);
   };
-  const heads = ['Bank', 'Impacts', 'Rate, Hz', 'Level, dB', 'Over the noise, dB', 'Spectrum off by, dB', 'Modulation off by, dB'];
+  const heads = ['Bank', 'Impacts', 'Rate, Hz', 'Level, dB', 'Over the noise, dB', 'Spectrum off target, dB', 'Off denoised, dB', 'Modulation off by, dB'];
   const table = h('div', { class: 'panel wide' }, h('h2', {}, 'Finished banks'), h('table', {},
     h('thead', {}, h('tr', {}, ...heads.map((words, n) => h('th', { scope: 'col', class: n ? 'n' : '' }, words)))), rows));
   table.hidden = true;
   return {
     element: h('div', { class: 'stack' }, notes, table, detail),
     show: (job: Job<Result>) => {
-      for (const name of job.done ?? []) if (!seen.has(name)) row(name, ['', '', '', '', '', '']);
+      for (const name of job.done ?? []) if (!seen.has(name)) row(name, ['', '', '', '', '', '', '']);
       for (const bank of job.result?.banks ?? [])
-        row(bank.bank, [bank.found, shown(bank.rate_hz, 0.1), shown(bank.level_db, 0.1), shown(bank.snr_db, 0.1), shown(bank.ltas_error_db, 0.1), shown(bank.modulation_error_db, 0.1)]);
+        row(bank.bank, [bank.found, shown(bank.rate_hz, 0.1), shown(bank.level_db, 0.1), shown(bank.snr_db, 0.1), shown(bank.ltas_error_db, 0.1), shown(bank.ltas_denoised_error_db, 0.1), shown(bank.modulation_error_db, 0.1)]);
       table.hidden = seen.size === 0;
       if (job.result) notes.replaceChildren(...[...job.result.failures, ...job.result.warnings].map((line) => h('p', { class: 'note' }, line)));
     },

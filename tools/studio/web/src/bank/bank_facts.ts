@@ -4,7 +4,7 @@ import { shown } from '../dom/number_text';
 import type { Bank } from './bank_document';
 
 const kFigures: [string, string, string, number][] = [['clicks_found', 'impacts found', '', 1], ['rate_hz', 'rate', 'Hz', 0.1],
-  ['level_db', 'level', 'dB', 0.1], ['snr_db', 'over the noise', 'dB', 0.1], ['ltas_error_db', 'spectrum against recording', 'dB', 0.1],
+  ['level_db', 'level', 'dB', 0.1], ['snr_db', 'over the noise', 'dB', 0.1], ['ltas_error_db', 'spectrum against target', 'dB', 0.1],
   ['ltas_denoised_error_db', 'against denoised', 'dB', 0.1], ['modulation_error_db', 'modulation', 'dB', 0.1]];
 
 export const bankFacts = (bank: Bank): HTMLElement => h('div', { class: 'stack' },
