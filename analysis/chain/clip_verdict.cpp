@@ -6,6 +6,7 @@
 #include "clicks/click_likeness.hpp"
 #include "clicks/drilling_test.hpp"
 #include "clicks/gaps.hpp"
+#include "clicks/rhythm.hpp"
 #include "clicks/selection.hpp"
 #include "denoise/cs_nmf.hpp"
 #include "rigsound/analysis/chain.hpp"
@@ -31,6 +32,11 @@ ClickTrain clicks_in(const Segment& window, const ClickTrain& clicks) {
   return inside;
 }
 
+/// A rate may glide from window to window, and a window of few clicks know it less well than its clip.
+const Selection& clearer(const Selection& own, const Selection& of_clip) {
+  return own.surplus > of_clip.surplus ? own : of_clip;
+}
+
 /// Of one window alone, as far as the clip holds it.
 DrillingEvidence evidence_in(const Segment& whole, const SearchedClip& clip, const Explained& explained) {
   const Segment window{std::max(0L, whole.begin), std::min(clip.length, whole.end)};
@@ -39,11 +45,14 @@ DrillingEvidence evidence_in(const Segment& whole, const SearchedClip& clip, con
   if (e.clicks.P.size() < kFewestFitted) return e;
   const Candidates candidates =
       candidates_between(clip.candidates, window.begin / kCandidateBlock, window.end / kCandidateBlock);
-  const Selection chain = select_at_period(candidates, e.clicks.mean_gap_samples / kCandidateBlock);
+  const Selection chain =
+      clearer(select_at_period(candidates, e.clicks.mean_gap_samples / kCandidateBlock),
+              select_at_period(candidates, clip.clicks.mean_gap_samples / kCandidateBlock));
   e.total = chain.total;
   e.surplus = chain.surplus;
   e.fast_total = fast_total(candidates);
   e.irregularity = irregularity(e.clicks);
+  e.strength_rhythm = strength_rhythm(e.clicks.beta, {e.clicks.P.begin(), e.clicks.P.end()});
   const int first = static_cast<int>(window.begin / kChainStft.hop),
             last = std::min(static_cast<int>(window.end / kChainStft.hop) + 1, clip.power.frames);
   const PowerSpectrogram power = frames_between(clip.power, first, last);
@@ -57,7 +66,8 @@ DrillingEvidence evidence_in(const Segment& whole, const SearchedClip& clip, con
 
 constexpr char kEvidenceHeader[] =
     "begin_s,end_s,probability,clicks,total,chance_surplus,fast_total,gap_irregularity,likeness,band_rise,"
-    "bar_rhythm,background_alone,with_clicks,rate,swell,surplus,pulses,dispersion,rise,rhythm,irregularity,"
+    "bar_rhythm,strength_rhythm,background_alone,with_clicks,rate,swell,surplus,pulses,dispersion,rise,"
+    "rhythm,irregularity,"
     "unexplained";
 
 /// Figures and, by their names, the weights against drilling that come of them.
@@ -73,6 +83,7 @@ std::vector<double> evidence_row(const JudgedWindow& judged, const DrillingEvide
                              e.likeness.dispersion,
                              e.likeness.rise,
                              e.likeness.rhythm,
+                             e.strength_rhythm,
                              e.background_alone,
                              e.with_clicks};
   const auto weights = objection_weights(e);

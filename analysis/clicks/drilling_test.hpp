@@ -18,10 +18,11 @@ constexpr std::size_t kFewestDrillingClicks = 6;  ///< less is no drilling
 /// What the clicks found in a recording look like.
 struct DrillingEvidence {
   ClickTrain clicks;
-  double total = 0;         ///< of the selected chain
-  double surplus = 0;       ///< of that total over chance
-  double fast_total = 0;    ///< of the best chain faster than any drill
-  double irregularity = 0;  ///< median of |ln(gap / median gap)|
+  double total = 0;            ///< of the selected chain
+  double surplus = 0;          ///< of that total over chance
+  double fast_total = 0;       ///< of the best chain faster than any drill
+  double irregularity = 0;     ///< median of |ln(gap / median gap)|
+  double strength_rhythm = 0;  ///< of the clicks, see strength_rhythm()
   ClickLikeness likeness;
   double background_alone = 0;  ///< divergence per cell that a slow background leaves
   double with_clicks = 0;       ///< divergence per cell with the click train's words

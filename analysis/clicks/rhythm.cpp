@@ -11,6 +11,7 @@ namespace {
 constexpr int kShortestBar = 3, kLongestBar = 12;
 constexpr int kRepeats = 3;  // of a bar, that it may count
 constexpr int kRefinements = 5;
+constexpr double kLeastStrength = 1e-9;
 
 /// The step of the best-fitting grid that each onset falls on.
 std::vector<long> steps(const std::vector<long>& onset) {
@@ -48,7 +49,54 @@ double explained_by(int bar, const std::vector<long>& step, const Eigen::ArrayXX
   return 1 - (rest / (n - places)) / (squares_about_mean(level) / (n - 1));
 }
 
+/// What the means of the places in a bar leave of a series.
+struct BarRest {
+  double squares = 0;
+  long places = 0;  ///< that any click falls on
+};
+
+BarRest rest_of(int bar, const std::vector<long>& step, const Eigen::ArrayXd& series) {
+  BarRest rest;
+  for (int place = 0; place < bar; ++place) {
+    double n = 0, sum = 0, squares = 0;
+    for (size_t i = 0; i < step.size(); ++i) {
+      if (step[i] % bar != place) continue;
+      const double value = series(static_cast<long>(i));
+      n += 1, sum += value, squares += value * value;
+    }
+    if (n == 0) continue;
+    rest.squares += squares - sum * sum / n;
+    ++rest.places;
+  }
+  return rest;
+}
+
+/// -log10 of the probability that F with m and n degrees of freedom is larger (Paulson 1942).
+double tail_decades(double F, double m, double n) {
+  const double root = std::cbrt(F), a = 2 / (9 * m), b = 2 / (9 * n);
+  const double z = ((1 - b) * root - (1 - a)) / std::sqrt(b * root * root + a);
+  return -std::log10(std::max(0.5 * std::erfc(z / std::sqrt(2.0)), 1e-300));
+}
+
 }  // namespace
+
+double strength_rhythm(const std::vector<double>& beta, const std::vector<long>& onset) {
+  if (onset.size() < 3) return 0;
+  const std::vector<long> step = steps(onset);
+  const Eigen::ArrayXd level =
+      Eigen::Map<const Eigen::ArrayXd>(beta.data(), static_cast<long>(beta.size())).max(kLeastStrength).log();
+  const double n = static_cast<double>(onset.size());
+  double surest = 0;
+  for (int bar = kShortestBar; bar <= kLongestBar && n >= kRepeats * bar; ++bar) {
+    const BarRest before = rest_of(bar % 2 == 0 ? 2 : 1, step, level), after = rest_of(bar, step, level);
+    const double m = static_cast<double>(after.places - before.places),
+                 free = n - static_cast<double>(after.places);
+    if (m <= 0 || free <= 0 || !(after.squares > 0)) continue;
+    surest = std::max(surest,
+                      tail_decades((before.squares - after.squares) / m / (after.squares / free), m, free));
+  }
+  return surest;
+}
 
 double rhythm(const Eigen::ArrayXXd& level, const std::vector<long>& onset) {
   double best = 0;

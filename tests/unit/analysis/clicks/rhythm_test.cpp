@@ -54,3 +54,45 @@ TEST_CASE("strikes that differ at random have no rhythm, and too few cannot show
   CHECK(rhythm_of(40, {}, level) < 0.1);
   CHECK(rhythm_of(7, {}, [](int step, int) { return double(step % 3); }) == 0);
 }
+
+namespace {
+
+/// Of 60 strikes whose ln beta is `level` of the step plus scatter.
+template <class Level>
+double strengths(Level level, double scatter, unsigned seed) {
+  TestNoise noise(seed);
+  std::vector<long> onset;
+  std::vector<double> beta;
+  for (int step = 0; step < 60; ++step) {
+    onset.push_back(1000L * step);
+    beta.push_back(std::exp(level(step) + scatter * noise.normal()));
+  }
+  return strength_rhythm(beta, onset);
+}
+
+}  // namespace
+
+TEST_CASE("cylinders that differ by as much as they scatter are a rhythm of strengths") {
+  const auto four = [](int step) { return (step % 4 < 2 ? 0.2 : -0.2) + (step % 4 == 3 ? 0.1 : 0); };
+  CHECK(strengths(four, 0.2, 1) > 6);
+}
+
+TEST_CASE("random strengths and alternating double impacts are none") {
+  double highest = 0;
+  for (unsigned seed = 0; seed < 200; ++seed)
+    highest = std::max(highest, strengths([](int) { return 0.0; }, 0.3, seed));
+  CHECK(highest < 5);
+  CHECK(strengths([](int step) { return step % 2 == 0 ? 0.5 : -0.5; }, 0.2, 2) < 3);
+}
+
+TEST_CASE("the significance is that of an F test") {
+  // Three places of means -1, 0, 1, each with -1, 0, 1 about its mean: F(2, 6) = (6 / 2) / (6 / 6) = 3.
+  const std::vector<double> ln_beta = {-2, -1, 0, -1, 0, 1, 0, 1, 2};
+  std::vector<long> onset;
+  std::vector<double> beta;
+  for (std::size_t step = 0; step < ln_beta.size(); ++step) {
+    onset.push_back(long(step));
+    beta.push_back(std::exp(ln_beta[step]));
+  }
+  CHECK(strength_rhythm(beta, onset) == doctest::Approx(-std::log10(0.125)).epsilon(0.05));
+}
