@@ -227,10 +227,8 @@ struct PaperCascade {
     const V from_0 = everywhere(line[-1][kTransversal]), from_1 = everywhere(line[0][kTransversal]),
             from_2 = everywhere(line[1][kTransversal]);
     // Into the first vector the second sample comes from the last one's first.
-    const V last = section(load_aligned<V>(&y_1[kLast - W]), load_aligned<V>(&y_1[kLast]),
-                           load_aligned<V>(&y_2[kLast - W]));
-    V u_0 = shifted(load_aligned<V>(&y_2[kLast])), u_1 = shifted(load_aligned<V>(&y_1[kLast])),
-      u_2 = shifted(last);
+    const V last = section(load<V>(&y_1[kLast - W]), load<V>(&y_1[kLast]), load<V>(&y_2[kLast - W]));
+    V u_0 = shifted(load<V>(&y_2[kLast])), u_1 = shifted(load<V>(&y_1[kLast])), u_2 = shifted(last);
     V first{}, second{};
 #pragma GCC unroll 32
     for (int j = 0; j < N; ++j) {
@@ -238,11 +236,11 @@ struct PaperCascade {
         u_0 = entered(u_0, from_0, entry[j]), u_1 = entered(u_1, from_1, entry[j]);
         u_2 = entered(u_2, from_2, entry[j]);
       }
-      const V mine_1 = load_aligned<V>(&y_1[W * j]), mine_2 = load_aligned<V>(&y_2[W * j]);
+      const V mine_1 = load<V>(&y_1[W * j]), mine_2 = load<V>(&y_2[W * j]);
       first = j == N - 1 ? last : section(u_1, mine_1, u_0);
       second = section(u_2, first, u_1);
-      store_aligned(&y_2[W * j], first);
-      store_aligned(&y_1[W * j], second);
+      store(&y_2[W * j], first);
+      store(&y_1[W * j], second);
       u_0 = mine_2, u_1 = mine_1, u_2 = first;
     }
     return V2{first[W - 1], second[W - 1]};
