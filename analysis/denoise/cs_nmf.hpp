@@ -19,7 +19,7 @@ struct CsNmfOptions {
 /// activations of `train` and one noise knot more than every two seconds. Every bin is independent.
 /// slow_cost makes the drilling's slowest words dearer: a tail that hardly falls from click to click explains
 /// hiss as well as the background does, and takes it where nothing speaks against it. Where the train itself
-/// falls by 12 dB or less from click to click, nothing is dearer. Thread: OFF.
+/// falls by 15 dB or less from click to click, nothing is dearer. Thread: OFF.
 Factors cs_nmf(const PowerSpectrogram& power, const ClickTrain& train, const CsNmfOptions& options);
 
 /// The same without any clicks: a slow background alone. Thread: OFF.
