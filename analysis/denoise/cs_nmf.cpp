@@ -13,7 +13,7 @@ namespace {
 constexpr double kSecondsPerKnot = 2;
 constexpr int kBackgroundIterations = 30;
 constexpr double kDearest = 0.4, kCostless = 0.8;  // decays, of the train's own
-constexpr double kShallow = 12, kDeep = 24;        // dB that the train falls by from click to click
+constexpr double kShallow = 15, kDeep = 25;        // dB that the train falls by from click to click
 
 int noise_knots(int frames, int signal_words) {
   const double seconds = frames * kChainStft.hop / kAnalysisRate;

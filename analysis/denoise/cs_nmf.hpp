@@ -26,7 +26,7 @@ struct CsNmfOptions {
 /// activations of the trains (kDecayCount words each, at most two trains) and one noise knot more than every
 /// two seconds. Every bin is independent. slow_cost makes a train's slowest words dearer: a tail that hardly
 /// falls from click to click explains hiss as well as the background does, and takes it where nothing speaks
-/// against it. Where the train itself falls by 12 dB or less from click to click, nothing is dearer. Thread:
+/// against it. Where the train itself falls by 15 dB or less from click to click, nothing is dearer. Thread:
 /// OFF.
 Factors cs_nmf(const PowerSpectrogram& power, const std::vector<TrainWords>& trains,
                const CsNmfOptions& options);

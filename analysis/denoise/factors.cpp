@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kAudiblePower = 1e-5f;  // of the loudest bin's power
 constexpr float kModelFloor = 1e-12f;
-constexpr float kSilenced = 0.02f;  // of a bin's mean error
+constexpr float kSilenced = 0.01f;  // of a bin's mean error
 
 }  // namespace
 

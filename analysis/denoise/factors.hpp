@@ -34,9 +34,9 @@ struct Factors {
 /// Thread: OFF.
 PsdPair modelled_psd(const Factors& factors, const PowerSpectrogram& power);
 
-/// G X with the Wiener gain G = S / (S + N), times S G / (S G + c) with c a fiftieth of its bin's mean error
+/// G X with the Wiener gain G = S / (S + N), times S G / (S G + c) with c a hundredth of its bin's mean error
 /// S N / (S + N): cells that hold next to nothing of the drilling are silenced. The expected error of a bin
-/// rises by half a per cent at most. Thread: OFF.
+/// rises by a quarter of a per cent at most. Thread: OFF.
 Spectrogram wiener(const Spectrogram& X, const PsdPair& psd);
 
 /// P/L - ln(P/L) - 1 of every cell, L = W H: bins x frames. Thread: OFF.

@@ -71,9 +71,10 @@ void set_shape(const std::vector<Section>& sections, const DieselSettings& setti
   const double nominal = std::exp(log_sum / static_cast<double>(sections.size()));
   model.name = settings.name;
   model.sample_rate = kAnalysisRate;
-  // Grains bring the modulation of the cycle down to where they begin; slots need the wavelets a little
-  // longer.
-  model.crossover_hz = settings.crossover_hz > 0 ? settings.crossover_hz : settings.grains > 0 ? 200 : 300;
+  // Grains bring the modulation of the cycle down to where they begin. Slots need the wavelets longer:
+  // neither their channels nor 1/A are narrow enough for the valleys between the lowest resonances of a body.
+  // What lies under the crossover is resolved to half an order, but no longer modulated within the cycle.
+  model.crossover_hz = settings.crossover_hz > 0 ? settings.crossover_hz : settings.grains > 0 ? 200 : 450;
   model.angle_samples = power_of_two_from(2 * nyquist / slowest, 1024, kMaxCrankAngle);
   model.low_channels = power_of_two_from(2.6 * model.crossover_hz / slowest, 64, 1024);
   const int L = 1 << std::lround(std::log2(1 / (nominal * kSlot_s)));

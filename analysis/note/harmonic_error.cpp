@@ -29,4 +29,22 @@ HarmonicError harmonic_error(const std::vector<double>& a, const std::vector<dou
   return {std::sqrt(squares[0]), std::sqrt(squares[1]), std::sqrt(squares[2])};
 }
 
+SubbandEnergies subband_energies(const std::vector<double>& y, int P) {
+  const std::vector<double> power = order_spectrum(y, P, kPeriods);
+  SubbandEnergies energies;
+  for (int q = 0; q < P; ++q) {
+    const int harmonic = (q + 1) / 2 * kPeriods, side = q % 2 == 0 ? 1 : -1;
+    const auto sum = [&](int nearest, int farthest) {
+      double energy = 1e-30;
+      for (int d = nearest; d <= farthest; ++d)
+        energy += power[static_cast<std::size_t>(harmonic + side * d)];
+      return energy;
+    };
+    energies.first.push_back(sum(kPeriods / 4 + 1, kPeriods / 2));
+    energies.second.push_back(sum(kPeriods / 8 + 1, kPeriods / 4));
+    energies.third.push_back(sum(kPeriods / 8, kPeriods / 8));
+  }
+  return energies;
+}
+
 }  // namespace rigsound::analysis

@@ -22,6 +22,8 @@ constexpr int kEnergyWindow = 20;  // coefficients (section 5)
 constexpr int kFirstOrder = 10;    // of the AR filters, in the second subband (section 5)
 constexpr double kHighestHarmonic_hz = 10000;
 constexpr double kBandwidth = 0.92;
+constexpr int kTrials = 6;
+constexpr double kLeastGain = 1e-3;
 
 /// Rows of one scale whose filters see nothing but frames first ... last - 1.
 struct RowRange {
@@ -34,10 +36,24 @@ RowRange steady_rows(int scale, int first, int last) {
   return {(first + hop - 1) / hop, (last - reach) / hop};
 }
 
+/// What the variances of the first three subbands are multiplied by, per channel.
+struct VarianceGains {
+  explicit VarianceGains(int P) : of(3, std::vector<double>(static_cast<std::size_t>(P), 1.0)) {}
+  double at(int n, std::size_t q) const { return n <= 3 ? of[static_cast<std::size_t>(n - 1)][q] : 1; }
+
+  std::vector<std::vector<double>> of;
+};
+
 class NoteSynthesis {
  public:
-  NoteSynthesis(const NoteSettings& settings, HbwtCoefficients<double> c, int first, int last)
-      : settings_(settings), c_(std::move(c)), first_(first), last_(last), chance_(settings.seed) {}
+  NoteSynthesis(const NoteSettings& settings, const VarianceGains& gains, HbwtCoefficients<double> c,
+                int first, int last)
+      : settings_(settings),
+        gains_(gains),
+        c_(std::move(c)),
+        first_(first),
+        last_(last),
+        chance_(settings.seed) {}
 
   /// Puts noise where the note is steady and counts what the noise was made of.
   void replace() {
@@ -99,7 +115,8 @@ class NoteSynthesis {
     }
     for (int n = settings_.waveforms > 0 ? 2 : 1; n <= N; ++n) {
       const auto i = static_cast<std::size_t>(n - 1);
-      NoiseShape shape{variance[i], settings_.colour && n >= 2 ? std::max(0, kFirstOrder - 2 * (n - 2)) : 0,
+      NoiseShape shape{variance[i] * gains_.at(n, q),
+                       settings_.colour && n >= 2 ? std::max(0, kFirstOrder - 2 * (n - 2)) : 0,
                        settings_.time_varying ? kEnergyWindow : 0};
       write(c_.d[i], steady_rows(n, first_, last_), q, noise_like(details[i], shape, chance_), 0);
       count(details[i].size(), shape);
@@ -118,6 +135,7 @@ class NoteSynthesis {
   }
 
   NoteSettings settings_;
+  const VarianceGains& gains_;
   HbwtCoefficients<double> c_;
   int first_, last_;
   std::mt19937_64 chance_;
@@ -174,8 +192,9 @@ SteadyPart steady_part(const std::string& source, const NotePitch& pitch, double
 
 /// The note with its steady part resynthesised; counts the parameters of that part.
 std::vector<double> synthesised(const AngleNote& note, const SteadyPart& part, int P,
-                                const NoteSettings& settings, std::size_t& parameters) {
-  NoteSynthesis synthesis(settings, hbwt(note.y, {P, 1, settings.N}), part.first, part.last);
+                                const NoteSettings& settings, const VarianceGains& gains,
+                                std::size_t& parameters) {
+  NoteSynthesis synthesis(settings, gains, hbwt(note.y, {P, 1, settings.N}), part.first, part.last);
   const std::vector<double> first_subband =
       settings.waveforms > 0 ? synthesis.first_subband() : std::vector<double>();
   synthesis.replace();
@@ -190,6 +209,34 @@ std::vector<double> synthesised(const AngleNote& note, const SteadyPart& part, i
   return sound;
 }
 
+std::vector<double> steady_samples(const std::vector<double>& x, const SteadyPart& part) {
+  return {x.begin() + static_cast<std::ptrdiff_t>(part.from),
+          x.begin() + static_cast<std::ptrdiff_t>(part.to)};
+}
+
+/// Independent noise in every subband is louder near a harmonic than the note: what db4 lets through from one
+/// subband to the next cancelled there and adds up now. The gains take trial syntheses to the note's
+/// energies.
+VarianceGains calibrated_gains(const AngleNote& note, const SteadyPart& part, int P,
+                               const NoteSettings& settings) {
+  VarianceGains gains(P);
+  if (settings.one_over_f) return gains;  // a law has no variance of its own for each subband
+  const SubbandEnergies wanted = subband_energies(steady_samples(note.y, part), P);
+  NoteSettings trial = settings;
+  for (int i = 0; i < kTrials; ++i) {
+    ++trial.seed;
+    std::size_t parameters = 0;
+    const SubbandEnergies made =
+        subband_energies(steady_samples(synthesised(note, part, P, trial, gains, parameters), part), P);
+    for (std::size_t q = 0; q < wanted.first.size(); ++q) {
+      gains.of[0][q] = std::max(kLeastGain, gains.of[0][q] * wanted.first[q] / made.first[q]);
+      gains.of[1][q] = std::max(kLeastGain, gains.of[1][q] * wanted.second[q] / made.second[q]);
+      gains.of[2][q] = std::max(kLeastGain, gains.of[2][q] * wanted.third[q] / made.third[q]);
+    }
+  }
+  return gains;
+}
+
 /// Sizes of the model, and its spectrum error over the steady part.
 void set_figures(const std::vector<double>& sound, const std::vector<double>& y, const SteadyPart& part,
                  NoteModel& model) {
@@ -198,12 +245,8 @@ void set_figures(const std::vector<double>& sound, const std::vector<double>& y,
   model.periods = static_cast<int>(modelled / static_cast<std::size_t>(model.P));
   model.ratio = static_cast<double>(modelled) / parameters;
   model.whole_ratio = static_cast<double>(y.size()) / (parameters + static_cast<double>(y.size() - modelled));
-  const auto steady = [&part](const std::vector<double>& x) {
-    return std::vector<double>(x.begin() + static_cast<std::ptrdiff_t>(part.from),
-                               x.begin() + static_cast<std::ptrdiff_t>(part.to));
-  };
   const HarmonicError error =
-      harmonic_error(steady(sound), steady(y), model.P,
+      harmonic_error(steady_samples(sound, part), steady_samples(y, part), model.P,
                      std::min(model.P / 2 - 1, static_cast<int>(kHighestHarmonic_hz / model.f0)));
   model.at_db = error.at_db, model.near_db = error.near_db, model.between_db = error.between_db;
 }
@@ -223,7 +266,8 @@ NoteModel model_note(const std::string& source, const std::vector<float>& mono, 
 
   const AngleNote note = over_phase(x, pitch, model.P);
   const SteadyPart part = steady_part(source, pitch, note.origin, model.P, settings.N);
-  const std::vector<double> sound = synthesised(note, part, model.P, settings, model.parameters);
+  const VarianceGains gains = calibrated_gains(note, part, model.P, settings);
+  const std::vector<double> sound = synthesised(note, part, model.P, settings, gains, model.parameters);
   set_figures(sound, note.y, part, model);
   model.sound = back_in_time(sound, pitch, note.origin, model.P);
   return model;
