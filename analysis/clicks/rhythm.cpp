@@ -12,6 +12,7 @@ constexpr int kShortestBar = 3, kLongestBar = 12;
 constexpr int kRepeats = 3;  // of a bar, that it may count
 constexpr int kRefinements = 5;
 constexpr double kLeastStrength = 1e-9;
+constexpr double kKnownTo = 0.05;  // nepers: how exactly a strength is fitted; equal clicks differ by less
 
 /// The step of the best-fitting grid that each onset falls on.
 std::vector<long> steps(const std::vector<long>& onset) {
@@ -91,9 +92,9 @@ double strength_rhythm(const std::vector<double>& beta, const std::vector<long>&
     const BarRest before = rest_of(bar % 2 == 0 ? 2 : 1, step, level), after = rest_of(bar, step, level);
     const double m = static_cast<double>(after.places - before.places),
                  free = n - static_cast<double>(after.places);
-    if (m <= 0 || free <= 0 || !(after.squares > 0)) continue;
-    surest = std::max(surest,
-                      tail_decades((before.squares - after.squares) / m / (after.squares / free), m, free));
+    if (m <= 0 || free <= 0) continue;
+    const double scatter = std::max(after.squares / free, kKnownTo * kKnownTo);
+    surest = std::max(surest, tail_decades((before.squares - after.squares) / m / scatter, m, free));
   }
   return surest;
 }

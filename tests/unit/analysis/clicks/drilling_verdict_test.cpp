@@ -72,6 +72,7 @@ TEST_CASE("each figure alone is reason enough when it is far out") {
   CHECK(reason_after([](DrillingEvidence& e) { e.likeness.rise = -0.5; }) ==
         "its bands do not rise together");
   CHECK(reason_after([](DrillingEvidence& e) { e.likeness.rhythm = 0.7; }) == "its clicks follow a rhythm");
+  CHECK(reason_after([](DrillingEvidence& e) { e.strength_rhythm = 12; }) == "its clicks follow a rhythm");
   CHECK(reason_after([](DrillingEvidence& e) { e.irregularity = std::log(1.5); }) ==
         "its gaps differ by 50 %");
   CHECK(reason_after([](DrillingEvidence& e) { e.with_clicks = e.background_alone - 0.06; }) ==

@@ -82,6 +82,7 @@ TEST_CASE("random strengths and alternating double impacts are none") {
   for (unsigned seed = 0; seed < 200; ++seed)
     highest = std::max(highest, strengths([](int) { return 0.0; }, 0.3, seed));
   CHECK(highest < 5);
+  CHECK(strengths([](int step) { return 0.01 * (step % 3); }, 0.001, 3) < 1);  // equal clicks, fitted
   CHECK(strengths([](int step) { return step % 2 == 0 ? 0.5 : -0.5; }, 0.2, 2) < 3);
 }
 
