@@ -136,15 +136,15 @@ TEST_CASE("steady noise goes to the background where slow tails are dear, and lo
   ClickTrain train = regular_train();
   train.envelope.decay = 3.0 / 2000;  // 26 dB from click to click
   const int frames = 375;
+  const Decays decays = decays_around(train);
   CsNmfOptions free, dear;
-  free.decays = dear.decays = decays_around(train);
   dear.slow_cost = 0.06f;
   const PowerSpectrogram noise = noisy_power(Grid::Constant(64, frames, 1.0f), 12);
   const auto drilling = [&](const PowerSpectrogram& power, const CsNmfOptions& options) {
-    return modelled_psd(cs_nmf(power, {{train}}, options), power).S.mean();
+    return modelled_psd(cs_nmf(power, {{train, decays}}, options), power).S.mean();
   };
   CHECK(drilling(noise, dear) < 0.7 * drilling(noise, free));
-  const Grid tails = click_activations(train, free.decays, frames, frames).row(0).replicate(64, 1);
+  const Grid tails = click_activations(train, decays, frames, frames).row(0).replicate(64, 1);
   const PowerSpectrogram ringing = noisy_power(tails + 0.01f, 13);
   CHECK(drilling(ringing, dear) > 0.8 * drilling(ringing, free));
 }
