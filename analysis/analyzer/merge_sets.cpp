@@ -9,6 +9,7 @@
 #include "rigsound/device_error.hpp"
 #include "rigsound/file/atomic_folder.hpp"
 #include "rigsound/file/large_block.hpp"
+#include "rigsound/file/make_folders.hpp"
 #include "rigsound/file/read_files.hpp"
 #include "rigsound/machine/input_error.hpp"
 
@@ -118,8 +119,8 @@ class Join {
       throw InputError(from.string(), "differs from " + (owner_of(name) / name).string() +
                                           ", expected the same or another name");
     }
-    fs::create_directories(to.parent_path(), error);
-    if (!error) fs::copy(from, to, fs::copy_options::recursive, error);
+    make_folders(to.parent_path());
+    fs::copy(from, to, fs::copy_options::recursive, error);
     if (error) throw DeviceError(out_.string() + ": cannot be written: " + error.message());
   }
 

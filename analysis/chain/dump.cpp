@@ -4,16 +4,13 @@
 
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/analysis/wave_file.hpp"
-#include "rigsound/device_error.hpp"
 #include "rigsound/file/atomic_file.hpp"
+#include "rigsound/file/make_folders.hpp"
 
 namespace rigsound::analysis {
 
 Dump::Dump(std::filesystem::path folder) : folder_(std::move(folder)) {
-  if (folder_.empty()) return;
-  std::error_code error;
-  std::filesystem::create_directories(folder_, error);
-  if (error) throw DeviceError(folder_.string() + ": cannot be created: " + error.message());
+  if (!folder_.empty()) make_folders(folder_);
 }
 
 void Dump::signal(const std::string& name, const Eigen::ArrayXd& samples) const {

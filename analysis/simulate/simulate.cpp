@@ -7,7 +7,7 @@
 
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/analysis/wave_file.hpp"
-#include "rigsound/device_error.hpp"
+#include "rigsound/file/make_folders.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "simulate/diesel_files.hpp"
 #include "simulate/drillbench_clip.hpp"
@@ -21,12 +21,6 @@ namespace {
 
 constexpr int kRate = static_cast<int>(kAnalysisRate);
 constexpr double kBenchGain = 0.05;  // RMS 1 would clip: one gain for all, ratios stay
-
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directory(folder, error);  // what Ctrl-C took away must not come back
-  if (error) throw DeviceError(folder.string() + ": cannot be made: " + error.message());
-}
 
 std::vector<double> mixed(const std::vector<double>& a, const std::vector<double>& b, double gain_b,
                           double gain) {
@@ -70,8 +64,8 @@ std::string write_situation(const fs::path& folder, const fs::path& place, const
 std::vector<std::string> write_situations(const fs::path& folder, std::uint64_t seed, double seconds,
                                           const Progress& progress) {
   constexpr double kDiesel = 0.4;  // of the work, roughly
-  make_folder(folder / "truth");
-  make_folder(folder / "engine");
+  make_folders(folder / "truth");
+  make_folders(folder / "engine");
   std::vector<std::string> lines;
   for (int i = 0; i < kSituationCount; ++i) {
     const auto situation = static_cast<Situation>(i);
@@ -84,16 +78,16 @@ std::vector<std::string> write_situations(const fs::path& folder, std::uint64_t 
 }
 
 std::vector<std::string> write_feed_ramp(const fs::path& folder, std::uint64_t seed, double seconds) {
-  make_folder(folder / "truth");
-  make_folder(folder / "feed");
+  make_folders(folder / "truth");
+  make_folders(folder / "feed");
   return write_ramp(folder, seed, seconds);
 }
 
 std::vector<std::string> write_rods(const fs::path& folder, std::uint64_t seed,
                                     const std::vector<int>& counts, double seconds,
                                     const Progress& progress) {
-  make_folder(folder / "truth");
-  make_folder(folder / "rods");
+  make_folders(folder / "truth");
+  make_folders(folder / "rods");
   std::vector<std::string> lines;
   for (const int rods : counts)
     for (const Situation s : {Situation::kUnderfeed, Situation::kNormal, Situation::kOverfeed}) {
@@ -112,7 +106,7 @@ std::vector<std::string> write_drillbench(const fs::path& folder, const DrillBen
     if (!drillbench_id(id))
       throw InputError("--ids",
                        fmt::format("clip {} does not exist, expected the last two digits to be 00-31", id));
-  make_folder(folder);
+  make_folders(folder);
   std::vector<std::string> lines;
   for (const int id : request.ids) {
     const DrillBenchClip clip = drillbench_clip(id, request.seconds, request.rate_factor);

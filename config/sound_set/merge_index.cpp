@@ -3,8 +3,8 @@
 
 #include "rigsound/config/names.hpp"
 #include "rigsound/config/sound_set_index.hpp"
-#include "rigsound/device_error.hpp"
 #include "rigsound/file/atomic_file.hpp"
+#include "rigsound/file/make_folders.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "sound_set/index_text.hpp"
 #include "text/read_text.hpp"
@@ -56,12 +56,6 @@ bool lists(const SoundSetIndex& index, const BankEntry& wanted) {
   });
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw DeviceError(folder.string() + ": cannot be made: " + error.message());
-}
-
 }  // namespace
 
 void merge_index(const fs::path& sound_set, const SoundSetIndex& additions) {
@@ -81,7 +75,7 @@ void merge_index(const fs::path& sound_set, const SoundSetIndex& additions) {
     if (!lists(index, entry)) added += index_laws_text(entry);
   if (exists && added.empty()) return;
 
-  make_folder(sound_set);
+  make_folders(sound_set);
   std::string text = exists ? read_text(file, kIndexText) : index_preamble();
   if (!text.empty() && text.back() != '\n') text += '\n';
   write_file(file, text + added);

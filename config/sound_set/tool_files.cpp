@@ -3,6 +3,7 @@
 #include "rigsound/config/names.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/file/atomic_file.hpp"
+#include "rigsound/file/make_folders.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "sound_set/tool_json.hpp"
 #include "text/read_text.hpp"
@@ -37,9 +38,7 @@ fs::path save(const fs::path& sound_set, const std::string& name, const std::str
   const fs::path folder = sound_set / "tools";
   if (!is_name(name))
     throw InputError(folder.string(), 0, name, "is no tool name, " + std::string(kNameRule));
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw DeviceError(folder.string() + ": cannot be made: " + error.message());
+  make_folders(folder);
   const fs::path file = folder / (name + ".json");
   const bool differs = fs::exists(file) && read_text(file, kModelText) != text;
   fs::path kept = differs ? put_aside(file) : fs::path();

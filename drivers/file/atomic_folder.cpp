@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "file/flush.hpp"
+#include "rigsound/file/make_folders.hpp"
 
 namespace rigsound {
 namespace fs = std::filesystem;
@@ -44,9 +45,7 @@ void flush_all(const std::vector<fs::path>& files, const Progress& progress = {}
 AtomicFolder::AtomicFolder(const fs::path& target)
     : target_(file::behind_links(target.has_filename() ? target : target.parent_path())) {
   const fs::path parent = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
-  std::error_code error;
-  fs::create_directories(parent, error);
-  if (error) fail(parent, "cannot be made", error.value());
+  make_folders(parent);
   std::string name = (parent / ("." + target_.filename().string() + ".XXXXXX")).string();
   unfinished_ = std::make_unique<Unfinished>([&] {
     if (::mkdtemp(name.data()) == nullptr) fail(target_, "cannot be written", errno);
@@ -75,9 +74,9 @@ void AtomicFolder::join() {
   flush_all(files);
   for (const fs::path& file : files) {
     const fs::path place = target_ / file.lexically_relative(temporary_);
+    make_folders(place.parent_path());
     std::error_code failed;
-    fs::create_directories(place.parent_path(), failed);
-    if (!failed) fs::rename(file, place, failed);
+    fs::rename(file, place, failed);
     if (failed) fail(place, "cannot be put in place", failed.value());
   }
 }

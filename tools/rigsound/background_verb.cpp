@@ -12,6 +12,7 @@
 #include "rigsound/config/background_files.hpp"
 #include "rigsound/config/sound_set_files.hpp"
 #include "rigsound/config/sound_set_index.hpp"
+#include "rigsound/file/make_folders.hpp"
 #include "rigsound/file/read_files.hpp"
 #include "standard_output.hpp"
 #include "verbs.hpp"
@@ -28,7 +29,7 @@ struct BackgroundOptions {
 };
 
 void save(const std::string& sound_set, const DieselModel& model) {
-  std::filesystem::create_directories(std::filesystem::path(sound_set) / "backgrounds");
+  make_folders(std::filesystem::path(sound_set) / "backgrounds");
   config::save_background(sound_set, model);
   config::SoundSetIndex index;
   index.backgrounds = {model.name};

@@ -4,10 +4,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <iterator>
 #include <string>
+#include <thread>
 
+#include "rigsound/device_error.hpp"
 #include "rigsound/file/atomic_file.hpp"
+#include "rigsound/file/make_folders.hpp"
 #include "rigsound/file/unfinished.hpp"
 #include "temporary_folder.hpp"
 
@@ -69,5 +73,28 @@ TEST_CASE("what is unfinished when a program is ended is undone, what is finishe
   CHECK(status == 0);
   CHECK(content(at.path / "old.txt") == "old");
   CHECK(content(at.path / "done.txt") == "done");
+  CHECK(entries(at.path) == 2);
+}
+
+TEST_CASE("folders are made with their parents, and none of them again once a signal has removed them") {
+  const test::TemporaryFolder at;
+  make_folders(at.path / "a/b");
+  make_folders(at.path / "a/b");
+  CHECK(fs::is_directory(at.path / "a/b"));
+  at.write("file", "");
+  CHECK_THROWS_AS(make_folders(at.path / "file/in"), DeviceError);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const AtomicFolder folder(at.path / "folder");
+    const fs::path inside = folder.temporary() / "segment";
+    undo_unfinished();
+    std::thread([&] { make_folders(inside); }).detach();
+    std::thread([&] { AtomicFolder(inside / "bank"); }).detach();
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    ::_exit(0);
+  }
+  int status = -1;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  CHECK(status == 0);
   CHECK(entries(at.path) == 2);
 }
