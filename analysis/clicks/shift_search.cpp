@@ -30,8 +30,9 @@ class TailCost {
  public:
   TailCost(const Eigen::Ref<const Eigen::ArrayXd>& q, const Eigen::Ref<const Eigen::ArrayXd>& others,
            const Eigen::Ref<const Eigen::ArrayXd>& tail, double decay, long reach) {
+    constexpr int kMiddle = kNodes / 2;
     for (int j = 0; j < kNodes; ++j) {
-      node_[j] = static_cast<double>(reach) * (j - kNodes / 2) / (kNodes / 2);
+      node_[j] = static_cast<double>(reach) * (j - kMiddle) / kMiddle;
       value_[j] = q.size() > 0 ? divergence(q, others + tail * std::pow(decay, -node_[j])) : 0;
     }
   }

@@ -47,7 +47,7 @@ std::vector<int> expand(const std::string& option, const std::vector<std::string
 std::vector<int> rod_counts(const std::string& text) {
   std::vector<std::string> words(1);
   for (const char c : text) c == ',' ? words.emplace_back().clear() : words.back().push_back(c);
-  const std::vector<int> counts = expand("--rods", words);
+  std::vector<int> counts = expand("--rods", words);
   for (const int count : counts)
     if (count < 1 || count > kMostRods)
       throw cli::UsageError("--rods", fmt::format("is {}, expected 1...{}", count, kMostRods));
