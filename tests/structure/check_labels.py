@@ -8,6 +8,7 @@ import json
 import pathlib
 import subprocess
 import sys
+import tempfile
 
 LABELS = ('unit', 'golden', 'cli', 'bus', 'fuzz', 'structure', 'studio')
 # What only tests in machines of other kinds need: half a gigabyte and a kernel.
@@ -18,11 +19,18 @@ def labels_of(test):
     return next((p['value'] for p in test['properties'] if p['name'] == 'LABELS'), [])
 
 
+def tests_of(build):
+    """Asked from a folder of its own: ctest begins a new LastTest.log, and the one of the run that this is part of is read at its end."""
+    with tempfile.TemporaryDirectory(prefix='rigsound_labels.') as folder:
+        (pathlib.Path(folder) / 'CTestTestfile.cmake').write_text(f'subdirs("{build}")\n')
+        shown = subprocess.run(['ctest', '--test-dir', folder, '--show-only=json-v1'], check=True, capture_output=True, text=True)
+    return json.loads(shown.stdout)['tests']
+
+
 def main():
     root, build = map(pathlib.Path, sys.argv[1:])
     problems = []
-    tests = json.loads(subprocess.run(['ctest', '--test-dir', build, '--show-only=json-v1'], check=True,
-                                      capture_output=True, text=True).stdout)['tests']
+    tests = tests_of(build)
     for test in tests:
         if len(set(labels_of(test)) & set(LABELS)) != 1:
             problems.append(f'{test["name"]}: labels {labels_of(test)}, expected one of {LABELS}')
