@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <vector>
 
@@ -111,12 +112,16 @@ void situation_rows(std::uint64_t seed) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   std::vector<std::uint64_t> seeds;
   for (int i = 1; i < argc; ++i) seeds.push_back(std::strtoull(argv[i], nullptr, 10));
   if (seeds.empty()) seeds = {1, 2, 3};
   for (const std::uint64_t seed : seeds) {
-    if (std::getenv("RAMP_ONLY") == nullptr) situation_rows(seed);
+    situation_rows(seed);
     ramp_rows(seed);
   }
+  return 0;
+} catch (const std::exception& error) {
+  fmt::print(stderr, "{}\n", error.what());
+  return 1;
 }
