@@ -21,7 +21,7 @@ namespace {
 /// The labels of the saved track that `parts` names; all of them without it.
 std::vector<Label> chosen_labels(const fs::path& track, const Json& body) {
   constexpr double kSame_s = 0.001;
-  const std::vector<Label> all = analysis::read_labels(track);
+  std::vector<Label> all = analysis::read_labels(track);
   const auto parts = body.find("parts");
   if (parts == body.end() || parts->is_null()) return all;
   std::vector<Label> chosen;

@@ -22,11 +22,11 @@ ClickTrain two_clicks() {
 /// The definition, sample by sample: sum_i beta_i^2 sum_t a_j^2(t - P_i) w^2(t - 128 n).
 double direct(const ClickTrain& train, double decay, int frame) {
   const Eigen::ArrayXf w = hann(kChainStft.window);
+  const int middle = kChainStft.window / 2;
   double sum = 0;
   for (size_t i = 0; i < train.P.size(); ++i)
     for (int k = 0; k < kChainStft.window; ++k) {
-      const double t = frame * kChainStft.hop - kChainStft.window / 2 + k - train.P[i],
-                   N_a = train.envelope.attack_samples;
+      const double t = frame * kChainStft.hop - middle + k - train.P[i], N_a = train.envelope.attack_samples;
       const double a = t < 0 ? 0 : t < N_a ? t / N_a : std::exp(-decay * (t - N_a));
       sum += train.beta[i] * train.beta[i] * a * a * double(w(k)) * double(w(k));
     }
