@@ -106,9 +106,11 @@ void AudioThread::note_jump(std::uint32_t run, std::uint64_t number) noexcept {
 }
 
 void AudioThread::measure(std::uint64_t spent_ns) noexcept {
-  raise(figures_.busy_ns, spent_ns);
   if (spent_ns > figures_.worst_ns.load(std::memory_order_relaxed))
     figures_.worst_ns.store(spent_ns, std::memory_order_relaxed);
+  raise<std::uint64_t>(figures_.measured, 1);
+  figures_.busy_ns.store(figures_.busy_ns.load(std::memory_order_relaxed) + spent_ns,
+                         std::memory_order_release);
   if (spent_ns > deadline_ns_) raise<std::uint64_t>(figures_.deadline_misses, 1);
   const EngineMeters meters = engine_->meters();
   figures_.peak.store(meters.peak, std::memory_order_relaxed);

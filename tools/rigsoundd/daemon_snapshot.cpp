@@ -42,8 +42,9 @@ Snapshot Daemon::snapshot_with(const LevelWindow& levels) const {
   s.dropped_chunks = read(f.dropped_chunks);
   s.lost_records = read(f.lost_records);
   s.block_s = loaded_.rig.audio.block / loaded_.rig.audio.rate;
-  s.block_mean_s =
-      s.blocks > 0 ? static_cast<double>(read(f.busy_ns)) * 1e-9 / static_cast<double>(s.blocks) : 0;
+  const auto busy_s = static_cast<double>(f.busy_ns.load(std::memory_order_acquire)) * 1e-9;
+  const std::uint64_t measured = read(f.measured);
+  s.block_mean_s = measured > 0 ? busy_s / static_cast<double>(measured) : 0;
   s.block_worst_s = static_cast<double>(read(f.worst_ns)) * 1e-9;
   s.output = level(levels.output, levels.blocks);
   s.diesel = level(levels.diesel, levels.blocks);
