@@ -35,41 +35,29 @@ double squares_about_mean(const Eigen::ArrayXXd& level) {
   return (level.colwise() - level.rowwise().mean()).square().sum();
 }
 
-double explained_by(int bar, const std::vector<long>& step, const Eigen::ArrayXXd& level) {
-  double rest = 0;
-  int places = 0;
+/// What the means of the places in a bar leave of the levels, a click a column.
+struct BarRest {
+  double squares = 0;
+  int places = 0;  ///< that any click falls on
+};
+
+BarRest rest_of(int bar, const std::vector<long>& step, const Eigen::ArrayXXd& level) {
+  BarRest rest;
   for (int place = 0; place < bar; ++place) {
     std::vector<long> here;
     for (size_t i = 0; i < step.size(); ++i)
       if (step[i] % bar == place) here.push_back(static_cast<long>(i));
     if (here.empty()) continue;
-    ++places;
-    rest += squares_about_mean(level(Eigen::all, here));
-  }
-  const double n = static_cast<double>(level.cols());
-  return 1 - (rest / (n - places)) / (squares_about_mean(level) / (n - 1));
-}
-
-/// What the means of the places in a bar leave of a series.
-struct BarRest {
-  double squares = 0;
-  long places = 0;  ///< that any click falls on
-};
-
-BarRest rest_of(int bar, const std::vector<long>& step, const Eigen::ArrayXd& series) {
-  BarRest rest;
-  for (int place = 0; place < bar; ++place) {
-    double n = 0, sum = 0, squares = 0;
-    for (size_t i = 0; i < step.size(); ++i) {
-      if (step[i] % bar != place) continue;
-      const double value = series(static_cast<long>(i));
-      n += 1, sum += value, squares += value * value;
-    }
-    if (n == 0) continue;
-    rest.squares += squares - sum * sum / n;
     ++rest.places;
+    rest.squares += squares_about_mean(level(Eigen::all, here));
   }
   return rest;
+}
+
+double explained_by(int bar, const std::vector<long>& step, const Eigen::ArrayXXd& level) {
+  const BarRest rest = rest_of(bar, step, level);
+  const double n = static_cast<double>(level.cols());
+  return 1 - (rest.squares / (n - rest.places)) / (squares_about_mean(level) / (n - 1));
 }
 
 /// -log10 of the probability that F with m and n degrees of freedom is larger (Paulson 1942).
@@ -84,14 +72,15 @@ double tail_decades(double F, double m, double n) {
 double strength_rhythm(const std::vector<double>& beta, const std::vector<long>& onset) {
   if (onset.size() < 3) return 0;
   const std::vector<long> step = steps(onset);
-  const Eigen::ArrayXd level =
-      Eigen::Map<const Eigen::ArrayXd>(beta.data(), static_cast<long>(beta.size())).max(kLeastStrength).log();
+  const Eigen::ArrayXXd level =
+      Eigen::Map<const Eigen::ArrayXXd>(beta.data(), 1, static_cast<long>(beta.size()))
+          .max(kLeastStrength)
+          .log();
   const double n = static_cast<double>(onset.size());
   double surest = 0;
   for (int bar = kShortestBar; bar <= kLongestBar && n >= kRepeats * bar; ++bar) {
     const BarRest before = rest_of(bar % 2 == 0 ? 2 : 1, step, level), after = rest_of(bar, step, level);
-    const double m = static_cast<double>(after.places - before.places),
-                 free = n - static_cast<double>(after.places);
+    const double m = after.places - before.places, free = n - after.places;
     if (m <= 0 || free <= 0) continue;
     const double scatter = std::max(after.squares / free, kKnownTo * kKnownTo);
     surest = std::max(surest, tail_decades((before.squares - after.squares) / m / scatter, m, free));
