@@ -205,18 +205,18 @@ std::vector<ClipMachine> split_by_click_nmf(const std::vector<float>& x, const s
   dump_split(dump, "blind", X, start.blind, x.size());
 
   Pass pass = first_pass(start.found, power, dump);
-  const auto verdict_on = [&](const Dump& into) {
-    return judge(windows, searched(pass.found, pass.clicks, power, pass.factors), "pass2", into);
+  const auto judged = [&] {
+    return judge(windows, searched(pass.found, pass.clicks, power, pass.factors), "pass2", dump);
   };
-  const auto may_drill = [&] {
-    return start.found.clearness() >= kHopeless && is_promising(verdict_on(Dump({})));
-  };
-  if (pass.factors && (options.labelled || may_drill())) {
+  std::vector<JudgedWindow> verdict;
+  if (!options.labelled) verdict = judged();
+  const bool may_drill = options.labelled || (start.found.clearness() >= kHopeless && is_promising(verdict));
+  if (pass.factors && may_drill) {
     const PsdPair rough = modelled_psd(*pass.factors, power);
     dump_split(dump, "pass1", X, rough, x.size());
     pass = second_pass(x, mean_over_time(rough), power, dump);
   }
-  std::vector<JudgedWindow> verdict = verdict_on(dump);
+  if (may_drill) verdict = judged();
   if (drills(verdict))
     if (const auto two = find_second_machine(x, mean_over_time(start.blind), power, pass.clicks))
       if (auto both = split_of_two(windows, X, power, *two, x.size(), dump); !both.empty()) return both;
