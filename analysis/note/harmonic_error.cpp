@@ -40,9 +40,9 @@ SubbandEnergies subband_energies(const std::vector<double>& y, int P) {
         energy += power[static_cast<std::size_t>(harmonic + side * d)];
       return energy;
     };
-    energies.first.push_back(sum(kPeriods / 4 + 1, kPeriods / 2));
-    energies.second.push_back(sum(kPeriods / 8 + 1, kPeriods / 4));
-    energies.third.push_back(sum(kPeriods / 8, kPeriods / 8));
+    energies[0].push_back(sum(kPeriods / 4 + 1, kPeriods / 2));
+    energies[1].push_back(sum(kPeriods / 8 + 1, kPeriods / 4));
+    energies[2].push_back(sum(kPeriods / 8, kPeriods / 8));
   }
   return energies;
 }

@@ -1,6 +1,7 @@
 // How far one pitched spectrum is from another at, near and between the harmonics.
 #pragma once
 
+#include <array>
 #include <vector>
 
 namespace rigsound::analysis {
@@ -15,12 +16,10 @@ struct HarmonicError {
 /// power of two; Welch windows of 16 periods. Thread: OFF.
 HarmonicError harmonic_error(const std::vector<double>& a, const std::vector<double>& b, int P, int highest);
 
-/// Energies of every channel's first and second subband, of which `y` has one channel a sideband: 1/4...1/2
-/// and 1/8...1/4 of f0 from the harmonic, by the spectrum. P each, channel 2k - 1 below harmonic k, 2k above
-/// it. Thread: OFF.
-struct SubbandEnergies {
-  std::vector<double> first, second, third;
-};
+/// Energies of every channel's first three subbands, of which `y` has one channel a sideband: 1/4...1/2 and
+/// 1/8...1/4 of f0 from the harmonic, and 1/8 of it, by the spectrum. P each, channel 2k - 1 below harmonic
+/// k, 2k above it. Thread: OFF.
+using SubbandEnergies = std::array<std::vector<double>, 3>;
 SubbandEnergies subband_energies(const std::vector<double>& y, int P);
 
 }  // namespace rigsound::analysis

@@ -228,11 +228,9 @@ VarianceGains calibrated_gains(const AngleNote& note, const SteadyPart& part, in
     std::size_t parameters = 0;
     const SubbandEnergies made =
         subband_energies(steady_samples(synthesised(note, part, P, trial, gains, parameters), part), P);
-    for (std::size_t q = 0; q < wanted.first.size(); ++q) {
-      gains.of[0][q] = std::max(kLeastGain, gains.of[0][q] * wanted.first[q] / made.first[q]);
-      gains.of[1][q] = std::max(kLeastGain, gains.of[1][q] * wanted.second[q] / made.second[q]);
-      gains.of[2][q] = std::max(kLeastGain, gains.of[2][q] * wanted.third[q] / made.third[q]);
-    }
+    for (std::size_t n = 0; n < wanted.size(); ++n)
+      for (std::size_t q = 0; q < wanted[n].size(); ++q)
+        gains.of[n][q] = std::max(kLeastGain, gains.of[n][q] * wanted[n][q] / made[n][q]);
   }
   return gains;
 }
