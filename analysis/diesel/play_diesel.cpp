@@ -16,7 +16,7 @@ std::vector<float> play_diesel(const DieselModel& model, const std::vector<doubl
   out.reserve(rpm.size() + kChunk);
   for (std::size_t n = 0; n < rpm.size(); n += kChunk) {
     player.process({rpm[n], load, feed}, chunk);
-    if (progress) progress(static_cast<double>(n) / static_cast<double>(rpm.size()));
+    show(progress, n, rpm.size());
     for (const double v : chunk) out.push_back(static_cast<float>(v));
   }
   out.resize(rpm.size());

@@ -158,7 +158,7 @@ std::vector<Section> sections_of(const std::vector<DieselTake>& takes, std::vect
     warn_of_clipping(take, warnings);
     const std::vector<double> x(take.mono.begin(), take.mono.end());
     const CrankTrack track = track_of(take, x, warnings);
-    if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(takes.size()));
+    show(progress, i + 1, takes.size());
     require_tracked(take, track, warnings);
     const std::vector<char> open = open_samples(take);
     const std::vector<std::size_t> ends = cuts(take, track.theta);

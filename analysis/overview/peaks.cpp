@@ -35,7 +35,7 @@ std::vector<PeakColumn> finest_peaks(SoundReader& sound, const Progress& progres
     const std::size_t count = static_cast<std::size_t>(std::min<long>(kBlock, frames - at));
     for (std::size_t n = 0; n < count; n += kColumnFrames)
       columns.push_back(peak_of(&block[n], kColumnFrames));
-    if (progress) progress(static_cast<double>(at) / static_cast<double>(frames));
+    show(progress, at, frames);
   }
   return columns;
 }

@@ -93,7 +93,7 @@ std::vector<std::string> write_rods(const fs::path& folder, std::uint64_t seed,
     for (const Situation s : {Situation::kUnderfeed, Situation::kNormal, Situation::kOverfeed}) {
       lines.push_back(write_situation(folder, "rods", fmt::format("rods{}_{}", rods, name(s)),
                                       simulate_situation(s, seed, seconds, rods)));
-      if (progress) progress(static_cast<double>(lines.size()) / (3 * static_cast<double>(counts.size())));
+      show(progress, lines.size(), 3 * counts.size());
     }
   return lines;
 }
@@ -122,7 +122,7 @@ std::vector<std::string> write_drillbench(const fs::path& folder, const DrillBen
     lines.push_back(fmt::format("c{:03} clicks={} T_0={:.2f} N_a={:.0f} alpha_a={:.6g} alpha_d={:.6g}", id,
                                 clip.clicks.size(), clip.T0, clip.envelope.attack_samples,
                                 clip.envelope.attack_bend, clip.envelope.decay));
-    if (progress) progress(static_cast<double>(lines.size()) / static_cast<double>(request.ids.size()));
+    show(progress, lines.size(), request.ids.size());
   }
   return lines;
 }

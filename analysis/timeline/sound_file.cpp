@@ -21,7 +21,7 @@ SoundFile read_sound(const std::filesystem::path& file, const Progress& progress
   SoundFile sound{{}, format.samplerate, format.channels, 0};
   std::vector<float> frames(static_cast<std::size_t>(kFramesAtOnce * format.channels));
   for (sf_count_t got; (got = sf_readf_float(in.get(), frames.data(), kFramesAtOnce)) > 0;) {
-    if (progress) progress(static_cast<double>(sound.mono.size()) / static_cast<double>(format.frames));
+    show(progress, sound.mono.size(), format.frames);
     for (sf_count_t n = 0; n < got; ++n) {
       double sum = 0;
       for (int c = 0; c < format.channels; ++c) {
