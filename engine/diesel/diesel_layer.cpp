@@ -34,17 +34,16 @@ class DieselLayer::Voice {
  public:
   Voice(DieselModel model, double sample_rate, std::uint64_t seed, double idle_rpm)
       : machine_(std::make_shared<const Machine>(std::move(model), sample_rate)),
-        model_(&machine_->model),
         sample_rate_(sample_rate),
-        load_slope_db_(one_load(*model_) ? model_->load_slope_db : 0.0),
-        high_(*model_, sample_rate, seed),
-        low_(*model_, seed),
-        body_(dsp::all_pole_at_rate({model_->body_filter.begin(), model_->body_filter.end()},
-                                    model_->sample_rate, sample_rate)),
-        crossover_(model_->crossover_hz, sample_rate),
-        tones_(model_->oscillators, sample_rate, seed, 46),
-        hydraulic_(*model_, sample_rate, seed),
-        start_stop_(*model_, sample_rate, idle_rpm) {}
+        load_slope_db_(one_load(machine_->model) ? machine_->model.load_slope_db : 0.0),
+        high_(machine_->model, sample_rate, seed),
+        low_(machine_->model, seed),
+        body_(dsp::all_pole_at_rate({machine_->model.body_filter.begin(), machine_->model.body_filter.end()},
+                                    machine_->model.sample_rate, sample_rate)),
+        crossover_(machine_->model.crossover_hz, sample_rate),
+        tones_(machine_->model.oscillators, sample_rate, seed, 46),
+        hydraulic_(machine_->model, sample_rate, seed),
+        start_stop_(machine_->model, sample_rate, idle_rpm) {}
 
   bool process(const DieselInput& input, double* out) noexcept;
   void reset() noexcept;
@@ -64,7 +63,6 @@ class DieselLayer::Voice {
   void table_segment(const AngleSpan& span, int count, float* out) noexcept;
 
   std::shared_ptr<const Machine> machine_;
-  const DieselModel* model_;
   double sample_rate_, load_slope_db_;
   HighLayer high_;
   LowLayer low_;
@@ -90,7 +88,7 @@ void DieselLayer::Voice::set_speed(double rpm) noexcept {
 
 void DieselLayer::Voice::table_segment(const AngleSpan& span, int count, float* out) noexcept {
   const auto mixed = [&](const GridPlace& place, float* y) {
-    const int N = model_->angle_samples;
+    const int N = machine_->model.angle_samples;
     int from = static_cast<int>((span.base + AngleReader::kFirst + N) % N), done = 0;
     while (done < count) {
       const int run = std::min(count - done, N - from);
@@ -112,8 +110,8 @@ void DieselLayer::Voice::table_segment(const AngleSpan& span, int count, float* 
 
 void DieselLayer::Voice::run(double* out) noexcept {
   crank_.turn(cycles_per_second(rpm_.from), cycles_per_second(rpm_.to), sample_rate_);
-  crank_.span(model_->angle_samples, fine_);
-  crank_.span(model_->low_channels, coarse_);
+  crank_.span(machine_->model.angle_samples, fine_);
+  crank_.span(machine_->model.low_channels, coarse_);
   const int fine_count = fine_.count + AngleReader::kTaps, coarse_count = coarse_.count + AngleReader::kTaps;
   high_.produce(fine_.base + AngleReader::kFirst + fine_count, machine_->grid, at_);
   low_.produce(coarse_.base + AngleReader::kFirst + coarse_count, machine_->grid, at_.place);
@@ -150,9 +148,9 @@ bool DieselLayer::Voice::process(const DieselInput& input, double* out) noexcept
   at_ = {machine_->grid.place(rpm, input.load), rpm, input.load};
   run(out);
   tones_.add(cycles_per_second(rpm), {1, 1}, out);
-  load_gain_.go_to(load_slope_db_ == 0
-                       ? 1.0
-                       : dsp::gain_of_db(load_slope_db_ * (input.load - model_->points.front().load)));
+  load_gain_.go_to(load_slope_db_ == 0 ? 1.0
+                                       : dsp::gain_of_db(load_slope_db_ *
+                                                         (input.load - machine_->model.points.front().load)));
   if (!start_stop_.gain().rests_at(1)) dsp::scale(start_stop_.gain(), out, kChunk);
   if (!load_gain_.rests_at(1)) dsp::scale(load_gain_, out, kChunk);
   hydraulic_.add(cycles_per_second(rpm), input.feed, start_stop_.gain().to, out);
