@@ -1,5 +1,5 @@
 // A canvas that keeps the size of its box and the colours of the theme, with scales on two sides.
-import { clock } from '../dom/number_text';
+import { clock, decimalsOf, shown } from '../dom/number_text';
 import { reduced } from './reduced_line';
 
 export interface Margins { left: number; right: number; top: number; bottom: number }
@@ -30,10 +30,8 @@ export const tickText = (value: number): string =>
   Math.abs(value) >= 1000 ? `${+(value / 1000).toPrecision(3)}k` : `${+value.toPrecision(4)}`.replace('-', '−');
 
 /** A tick of a time, with as many decimals as the ticks are apart. */
-const timeText = (value: number, { to }: Scale, apart: number): string => {
-  const decimals = Math.max(0, -Math.floor(Math.log10(apart) + 1e-9));
-  return to >= kClockFrom_s ? clock(value, decimals) : value.toFixed(decimals);
-};
+const timeText = (value: number, { to }: Scale, apart: number): string =>
+  to >= kClockFrom_s ? clock(value, decimalsOf(apart)) : shown(value, apart);
 
 export class Surface {
   readonly element = document.createElement('div');

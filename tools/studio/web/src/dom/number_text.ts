@@ -1,9 +1,9 @@
 // Numbers as a person reads them: a true minus, as many decimals as the step has, times as minutes.
 
-export const shown = (value: number, step = 1): string => {
-  const decimals = Math.min(6, Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
-  return value.toFixed(decimals).replace(/^-(?=.*[1-9])/, '−').replace(/^-/, '');
-};
+export const decimalsOf = (step: number): number => Math.min(6, Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
+
+export const shown = (value: number, step = 1): string =>
+  value.toFixed(decimalsOf(step)).replace(/^-(?=.*[1-9])/, '−').replace(/^-/, '');
 
 export const decibels = (amplitude: number): string =>
   amplitude > 1e-5 ? `${shown(20 * Math.log10(amplitude), 0.1)} dB` : '−∞ dB';
