@@ -67,8 +67,7 @@ DrillingEvidence evidence_in(const Segment& whole, const SearchedClip& clip, con
 constexpr char kEvidenceHeader[] =
     "begin_s,end_s,probability,clicks,total,chance_surplus,fast_total,gap_irregularity,likeness,band_rise,"
     "bar_rhythm,strength_rhythm,background_alone,with_clicks,rate,swell,surplus,pulses,dispersion,rise,"
-    "rhythm,irregularity,"
-    "unexplained";
+    "rhythm,irregularity,unexplained";
 
 /// Figures and, by their names, the weights against drilling that come of them.
 std::vector<double> evidence_row(const JudgedWindow& judged, const DrillingEvidence& e) {
