@@ -2,26 +2,11 @@
 import numpy as np
 from scipy.signal import butter, sosfilt
 
-RATE = 48000
-
-
-def rms_one(x):
-    return x / np.sqrt(np.mean(x ** 2))
-
-
-def coloured(draw, x):
-    """A low-pass, a high-pass and four resonances at random places."""
-    for kind, edges in (('low', (2500, 9000)), ('high', (60, 150))):
-        x = sosfilt(butter(1, np.exp(draw.uniform(*np.log(edges))), kind, fs=RATE, output='sos'), x)
-    for centre in np.exp(draw.uniform(np.log(250), np.log(8000), 4)):
-        width = centre / draw.uniform(1, 5)
-        band = butter(1, (centre - width / 3, centre + width / 3), 'band', fs=RATE, output='sos')
-        x = x + draw.uniform(.6, 3) * sosfilt(band, x)
-    return x
+from verdict_table.sounds import RATE, coloured, level
 
 
 def steady(draw, samples):
-    return rms_one(coloured(draw, draw.standard_normal(samples)))
+    return level(coloured(draw, draw.standard_normal(samples)))
 
 
 def stones(draw, samples):
@@ -31,7 +16,7 @@ def stones(draw, samples):
         length = int(.3 * RATE)
         decay = np.exp(-np.arange(length) / (draw.uniform(.003, .009) * RATE))
         x[at:at + length] += draw.lognormal(0, .5) * decay * draw.standard_normal(length)
-    return rms_one(rms_one(coloured(draw, x[:samples])) + steady(draw, samples))
+    return level(level(coloured(draw, x[:samples])) + steady(draw, samples))
 
 
 def speech(draw, samples):
@@ -43,14 +28,14 @@ def speech(draw, samples):
     formants = [butter(1, (f / 1.12, f * 1.12), 'band', fs=RATE, output='sos') for f in (500 * draw.uniform(.8, 1.3), 1400 * draw.uniform(.7, 1.4), 2500)]
     voice = .1 * voice + sum(sosfilt(band, voice) for band in formants)
     syllable = np.clip(np.sin(2 * np.pi * draw.uniform(3.5, 4.5) * t + draw.uniform(0, 6)) + .3, 0, None)
-    return rms_one(rms_one(voice * syllable) + .4 * steady(draw, samples))
+    return level(level(voice * syllable) + .4 * steady(draw, samples))
 
 
 def gusts(draw, samples):
     """Low-frequency wind that swells and fades within a second, over steady noise 10 dB below."""
     t = np.arange(samples) / RATE
     wind = sosfilt(butter(2, 70, fs=RATE, output='sos'), draw.standard_normal(samples))
-    return rms_one(rms_one(wind * (1 + .8 * np.sin(2 * np.pi * draw.uniform(.4, .9) * t + draw.uniform(0, 6)))) + .3 * steady(draw, samples))
+    return level(level(wind * (1 + .8 * np.sin(2 * np.pi * draw.uniform(.4, .9) * t + draw.uniform(0, 6)))) + .3 * steady(draw, samples))
 
 
 KINDS = {'steady': steady, 'stones': stones, 'speech': speech, 'gusts': gusts}

@@ -24,6 +24,13 @@ def has_one_decay(clip):
     return is_regular(clip) and (row + row // 8) % 2 == 0
 
 
+def ids_of(text):
+    """'100-107,3' as numbers."""
+    for word in text.split(','):
+        low, _, high = word.partition('-')
+        yield from range(int(low), int(high or low) + 1)
+
+
 class Workplace:
     """A folder that goes away."""
 
