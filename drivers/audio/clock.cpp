@@ -1,5 +1,6 @@
 #include "rigsound/audio/clock.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <ctime>
 
@@ -7,6 +8,7 @@ namespace rigsound::audio {
 namespace {
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
+constexpr double kGroup_ns = 10e6;
 
 }  // namespace
 
@@ -23,7 +25,9 @@ void MonotonicClock::sleep_until_ns(std::int64_t when) noexcept {
 }
 
 Pacer::Pacer(Clock& clock, double rate_hz, int block_frames)
-    : clock_(clock), block_ns_(block_frames * 1e9 / rate_hz) {
+    : clock_(clock),
+      block_ns_(block_frames * 1e9 / rate_hz),
+      group_(std::max<std::int64_t>(1, static_cast<std::int64_t>(kGroup_ns / block_ns_))) {
   start();
 }
 
@@ -33,9 +37,11 @@ void Pacer::start(std::int64_t ahead_ns) noexcept {
 }
 
 void Pacer::wait() noexcept {
-  ++blocks_;
+  if (++blocks_ % group_ != 0) return;
   const std::int64_t due = origin_ns_ + static_cast<std::int64_t>(static_cast<double>(blocks_) * block_ns_);
-  if (clock_.now_ns() - due > kSecond_ns) return start();
+  // The blocks of this group began together: all but one were ahead of their time.
+  if (clock_.now_ns() - due > kSecond_ns)
+    return start(static_cast<std::int64_t>(static_cast<double>(group_ - 1) * block_ns_));
   clock_.sleep_until_ns(due);
 }
 
