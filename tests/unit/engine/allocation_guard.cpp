@@ -6,24 +6,26 @@
 namespace {
 thread_local long count = 0;
 
-void* counted(std::size_t size) {
+void* counted(std::size_t size) noexcept {
   ++count;
-  if (void* memory = std::malloc(size ? size : 1)) return memory;
-  throw std::bad_alloc();
+  return std::malloc(size ? size : 1);
 }
+
+void* or_throw(void* memory) { return memory ? memory : throw std::bad_alloc(); }
 }  // namespace
 
 namespace rigsound::tests {
 long allocations() { return count; }
 }  // namespace rigsound::tests
 
-void* operator new(std::size_t size) { return counted(size); }
-void* operator new[](std::size_t size) { return counted(size); }
+void* operator new(std::size_t size) { return or_throw(counted(size)); }
+void* operator new[](std::size_t size) { return or_throw(counted(size)); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return counted(size); }
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return counted(size); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   ++count;
   const auto to = static_cast<std::size_t>(alignment);
-  if (void* memory = std::aligned_alloc(to, (size + to - 1) / to * to)) return memory;
-  throw std::bad_alloc();
+  return or_throw(std::aligned_alloc(to, (size + to - 1) / to * to));
 }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }

@@ -72,7 +72,9 @@ TEST_CASE("every signal has its own field of the state, and a range that holds i
 TEST_CASE("the guard knows every signal and every control: nothing out of range reaches the layers") {
   for (const SignalInfo& signal : signal_table()) {
     MachineState state;
-    signal.set(state, 2, signal.kind == SignalKind::kWord ? signal.max + 7 : signal.max * 4 + 1000);
+    const bool whole = signal.kind == SignalKind::kWhole || signal.kind == SignalKind::kWord;
+    if (signal.max == 65535) continue;  // fills its field: no value is out of range
+    signal.set(state, 2, whole ? signal.max + 7 : signal.max * 4 + 1000);
     const double kept = signal.get(guarded(state), 2);
     CHECK_MESSAGE((signal.takes(kept) || kept == signal.absent), signal.name);
   }
