@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "drivers/modbus/bus_harness.hpp"
 #include "rigsound/machine/signal_board.hpp"
@@ -112,6 +113,13 @@ TEST_CASE("Numbers tell a late datagram from a sender that began anew") {
   CHECK(filter.passes(0, 2));  // after a pause
   CHECK(filter.passes(5000, 2.1));
   CHECK(filter.passes(1, 2.2));  // far behind
+  for (const auto& [behind, later_s, good] :
+       {std::tuple(999, 0.5, false), std::tuple(1000, 0.5, true), std::tuple(5, 0.75, false),
+        std::tuple(5, 1.0, true), std::tuple(0, 0.0, false)}) {
+    SequenceFilter edge;
+    CHECK(edge.passes(7000, 4));
+    CHECK(edge.passes(7000 - behind, 4 + later_s) == good);
+  }
 }
 
 TEST_CASE("What is sent is told with its time, and counted") {
