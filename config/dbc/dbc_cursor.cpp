@@ -15,7 +15,7 @@ const DbcToken& DbcCursor::peek(std::size_t ahead) const {
 
 DbcToken DbcCursor::take() {
   const DbcToken token = peek();
-  if (at_ + 1 < tokens_.size()) ++at_;
+  ++at_;  // peek() stays at the end
   return token;
 }
 
@@ -39,7 +39,7 @@ std::string DbcCursor::expect_string(std::string_view what) {
   std::string text;
   const std::string_view raw = take().text;
   for (std::size_t i = 0; i < raw.size(); ++i) {
-    if (raw[i] == '\\' && i + 1 < raw.size() && raw[i + 1] == '"') ++i;
+    if (raw.substr(i, 2) == "\\\"") ++i;
     text += raw[i];
   }
   return to_utf8(text);

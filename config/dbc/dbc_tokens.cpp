@@ -17,7 +17,7 @@ bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' |
 bool has_open_quote(std::string_view text) {
   bool open = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (open && text[i] == '\\' && i + 1 < text.size() && text[i + 1] == '"')
+    if (open && text.substr(i, 2) == "\\\"")
       ++i;
     else if (text[i] == '"')
       open = !open;

@@ -1,6 +1,7 @@
 #include "rigsound/config/fingerprint.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <vector>
@@ -34,9 +35,8 @@ class Print {
     }
   }
   std::string hex() const {
-    std::string text(16, '0');
-    for (int i = 0; i < 16; ++i)
-      text[static_cast<std::size_t>(i)] = "0123456789abcdef"[state_ >> (60 - 4 * i) & 15];
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(state_));
     return text;
   }
 

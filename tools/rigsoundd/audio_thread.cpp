@@ -20,8 +20,8 @@ using SteadyClock = std::chrono::steady_clock;
 
 // The first touch of a page of stack must not happen while rendering.
 void touch_stack() {
-  std::array<volatile char, kStackTouched> pages;
-  for (std::size_t i = 0; i < pages.size(); i += 4096) pages[i] = 0;
+  std::array<volatile char, kStackTouched> stack;
+  for (volatile char& byte : stack) byte = 0;
 }
 
 template <typename T>

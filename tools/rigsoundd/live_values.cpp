@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <optional>
 #include <string>
@@ -46,8 +47,8 @@ Target named(const std::string& name) {
 }
 
 int boom_named(const std::string& name, const std::vector<std::string>& booms) {
-  for (std::size_t b = 0; b < booms.size(); ++b)
-    if (booms[b] == name) return static_cast<int>(b);
+  if (const auto found = std::find(booms.begin(), booms.end(), name); found != booms.end())
+    return static_cast<int>(found - booms.begin());
   throw Refused(fmt::format("{}: is no boom of the rig, {}", name,
                             or_nearest(name, booms, fmt::format("expected {}", fmt::join(booms, ", ")))));
 }
@@ -89,8 +90,8 @@ double value_of(const Json& given, const Target& target, const DaemonControl& da
   }
   if (!given.is_string()) throw Refused(fmt::format("{}: has no value, expected {}", target.name(), range));
   const std::string word = given.get<std::string>();
-  for (std::size_t i = 0; i < words.size(); ++i)
-    if (words[i] == word) return static_cast<double>(i);
+  if (const auto found = std::find(words.begin(), words.end(), word); found != words.end())
+    return static_cast<double>(found - words.begin());
   const std::string expected = words.empty()
                                    ? fmt::format("expected a number, {}", range)
                                    : fmt::format("expected {}, or {}", fmt::join(words, ", "), range);

@@ -2,12 +2,18 @@
 #include "audio_thread.hpp"
 
 #include <doctest/doctest.h>
+#include <pthread.h>
+#include <sched.h>
 #include <unistd.h>
 
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <mutex>
 #include <set>
+#include <string>
+#include <thread>
 
 #include "bench/formula_sounds.hpp"
 #include "recorder.hpp"
@@ -113,6 +119,19 @@ TEST_CASE("A session renders the very samples that were played, over a change of
   CHECK(s.audio.figures().lost_records == 0);
 }
 
+TEST_CASE("The audio thread asks for real time, and says whether it has it") {
+  std::string expected = "SCHED_FIFO 70";
+  std::thread([&] {  // what any thread of this process is granted
+    const sched_param wanted{70};
+    if (const int error = ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wanted); error != 0)
+      expected = std::string("normal priority, SCHED_FIFO refused: ") + std::strerror(error);
+  })
+      .join();
+  Setup s;
+  s.audio.start();
+  CHECK(s.audio.scheduling() == expected);
+}
+
 TEST_CASE("A stall of over a second is counted, and silence in what the session renders") {
   Setup s;
   s.sink.stall_at = 100;
@@ -132,6 +151,28 @@ TEST_CASE("A stall of over a second is counted, and silence in what the session 
     CHECK(rendered == played);
   }
   CHECK(session::SessionStates(session::newest_session(s.sessions)).ended_in_order());
+}
+
+TEST_CASE("A stall between two engines is counted, and is no part of either's session") {
+  Setup s;
+  s.sink.stall_at = 100;
+  std::unique_ptr<Engine> next = s.engine();
+  s.audio.start();
+  s.drill(90);
+  while (s.audio.figures().blocks < 100) std::this_thread::yield();
+  s.audio.offer_engine(std::move(next));  // block 100 takes its time
+  while (!s.audio.engine_taken()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  s.drill(50);
+  s.audio.stop();
+  s.recorder.finish();
+  const auto runs = s.sink.runs();
+  REQUIRE(runs.size() == 2);
+  std::set<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(s.sessions)) files.insert(entry.path());
+  REQUIRE(files.size() == 2);
+  if (s.audio.figures().clock_jumps != 1) return;  // the machine itself has stalled
+  CHECK(session::SessionStates(*files.rbegin()).skipped() == 0);
+  CHECK(s.rendered(*files.rbegin()) == runs[1]);
 }
 
 namespace {

@@ -3,7 +3,15 @@
 
 #include <doctest/doctest.h>
 
+#include <string>
+#include <vector>
+
+#include "daemon/kept_log.hpp"
+#include "rigsound/monotonic_time.hpp"
+
+using rigsound::monotonic_ms;
 using rigsound::daemon::BusStatus;
+using rigsound::test::KeptLog;
 
 TEST_CASE("a bus is down until it is up, and clears its problem then") {
   BusStatus bus("can can0");
@@ -39,4 +47,43 @@ TEST_CASE("a name inside a text, or without its colon, stays") {
   CHECK(bus.last_problem() == "a b");
   bus.down("b a: c");
   CHECK(bus.last_problem() == "b a: c");
+}
+
+TEST_CASE("a bus tells a change at once, then one line a minute with how often it changed meanwhile") {
+  using Lines = std::vector<std::string>;
+  const KeptLog log;
+  BusStatus bus("can can0");
+  bus.poll(monotonic_ms());
+  CHECK(log.lines().empty());  // nothing has changed
+  const std::int64_t before_ms = monotonic_ms();
+  bus.up();
+  const std::int64_t after_ms = monotonic_ms();
+  Lines expected = {"info: can can0: up"};
+  CHECK(log.lines() == expected);
+  bus.down("bus-off");
+  bus.up();
+  bus.down("can can0: no such device");
+  bus.poll(before_ms + 59'999);
+  CHECK(log.lines() == expected);
+  const std::int64_t told_ms = after_ms + 60'000;
+  bus.poll(told_ms);
+  expected.push_back("warning: can can0: down: no such device (after 3 changes)");
+  CHECK(log.lines() == expected);
+  bus.up();
+  bus.poll(told_ms + 59'999);
+  CHECK(log.lines() == expected);
+  bus.poll(told_ms + 60'000);
+  expected.push_back("info: can can0: up");
+  CHECK(log.lines() == expected);
+  bus.poll(told_ms + 600'000);
+  CHECK(log.lines() == expected);
+}
+
+TEST_CASE("a notice is told at once, with the name of its bus once") {
+  const KeptLog log;
+  BusStatus bus("udp :9");
+  bus.notice("udp :9: port in use");
+  bus.notice("a datagram was no JSON");
+  CHECK(log.lines() ==
+        std::vector<std::string>{"warning: udp :9: port in use", "warning: udp :9: a datagram was no JSON"});
 }

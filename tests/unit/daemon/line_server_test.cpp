@@ -6,6 +6,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -273,4 +274,70 @@ TEST_CASE("A client that floods is closed before it has taken more than 64 KiB o
     s.server.serve();
   }
   CHECK(sent < (1 << 20));  // what the kernel keeps, and a request
+}
+
+TEST_CASE("A client that is gone before it has its answer, or before it has asked, leaves its place") {
+  for (const char* said : {"", "x\n", "x\ny\n", "slow\n"}) {
+    CAPTURE(std::string(said));
+    Served s;
+    const FileDescriptor stays = s.client();
+    {
+      const FileDescriptor gone = s.client();
+      say(gone, said);
+    }
+    s.server.serve();
+    if (std::string(said) == "slow\n") s.last->late = "<late>\n";  // the others are gone by now
+    while (s.server.serve()) continue;
+    s.server.serve();
+    std::vector<pollfd> polls;
+    s.server.add_polls(polls);
+    REQUIRE(polls.size() == 2);  // the listener's, and of who stays
+    say(stays, "z\n");
+    s.server.serve();
+    CHECK(heard(stays) == "<z>\n");
+  }
+}
+
+TEST_CASE("A server waits for requests of who has its answer, for room of who has not") {
+  Served s;
+  const FileDescriptor quick = s.client();
+  s.server.serve();
+  const auto events = [&] {
+    std::vector<pollfd> polls;
+    s.server.add_polls(polls);
+    REQUIRE(polls.size() == 2);
+    CHECK(polls[0].events == POLLIN);
+    return polls[1].events;
+  };
+  CHECK(events() == POLLIN);
+  s.news = std::string(1 << 20, 'n') + "\n";
+  s.server.tell_news(0);
+  CHECK(events() == POLLOUT);
+  std::size_t bytes = 0;
+  for (std::string got = heard(quick); !got.empty(); got = heard(quick)) {
+    bytes += got.size();
+    s.server.serve();
+  }
+  CHECK(bytes == s.news.size());
+  CHECK(events() == POLLIN);
+}
+
+TEST_CASE("A request of just under 64 KiB is answered, one that goes on past it is not") {
+  for (const std::size_t size : {64 * 1024 - 1, 80 * 1024}) {
+    CAPTURE(size);
+    Served s;
+    const FileDescriptor client = s.client();
+    std::string request = std::string(size, 'a') + "\n";
+    std::size_t bytes = 0;
+    std::string got;
+    for (int round = 0; round < 100 && got != "closed" && bytes < size + 3; ++round) {
+      const ssize_t sent =
+          ::send(client.get(), request.data(), std::min<std::size_t>(request.size(), 8192), MSG_NOSIGNAL);
+      if (sent > 0) request.erase(0, static_cast<std::size_t>(sent));
+      s.server.serve();
+      for (got = heard(client); !got.empty() && got != "closed"; got = heard(client)) bytes += got.size();
+    }
+    CHECK(bytes == (size < 64 * 1024 ? size + 3 : 0));
+    CHECK((got == "closed") == (size > 64 * 1024));
+  }
 }

@@ -52,5 +52,8 @@ TEST_CASE("Another method, another path and what is no request are refused, and 
         "GET  /metrics HTTP/1.1", " GET /metrics HTTP/1.1", "GET /metrics HTTP/1.1 ", "GET /a /b HTTP/1.1",
         "G\x01T /metrics HTTP/1.1", "\r\nGET /metrics HTTP/1.1", "GET /metrics HTTP/1.11", "\x16\x03\x01"})
     CHECK(first_line(daemon, request) == "HTTP/1.1 400 Bad Request");
+  for (const char* request : {"G\x7fT /metrics HTTP/1.1", " /metrics HTTP/1.1", "GET /metrics HTTP/1./",
+                              "GET /metrics HTTP/1.:", "GET /metrics HTTP/1."})
+    CHECK(first_line(daemon, request) == "HTTP/1.1 400 Bad Request");
   CHECK(daemon.scrapes == 0);
 }

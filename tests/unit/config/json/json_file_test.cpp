@@ -48,6 +48,18 @@ TEST_CASE("nested objects say where they stand, however often a key occurs") {
         file.string() + ":7: points[1].in.rho: is 5, expected less");
 }
 
+TEST_CASE("a key that an object lacks is missed where that object begins, whoever else has it") {
+  TemporaryFolder folder;
+  const auto file =
+      folder.write("a.json", "{\n\"points\": [\n{\"x\": {\"rho\": 1}},\n{\"rho\": 2}],\n\"rho\": 3}");
+  const std::vector<JsonFile> points = JsonFile(file).objects("points");
+  REQUIRE(points.size() == 2);
+  CHECK(complaint([&] {
+          points[0].number("rho", {0, 9});
+        }).rfind(file.string() + ":3: points[0].rho: ", 0) == 0);
+  CHECK(points[1].number("rho", {0, 9}) == 2);
+}
+
 TEST_CASE("a file nested deeper than 32 levels is refused in one line, whatever its size") {
   TemporaryFolder folder;
   const auto said = [&](int levels) {

@@ -65,6 +65,21 @@ TEST_CASE("units and ranges of a DBC that do not fit the signal are told, with t
         "percussion_rate_hz: M.Rate is in 1/min, percussion_rate_hz in Hz: scale = 0.01666666667?");
 }
 
+TEST_CASE("the rig's scale and offset come on top of the DBC's, a share in percent brings its own") {
+  // (raw 0.5 + 3) 2 - 5 = raw + 1
+  const config::Rig rig = with_signals(
+      " SG_ Feed : 0|16@1+ (0.5,3) [0|0] \"\" A\n SG_ Load : 16|8@1+ (0.5,10) [0|0] \"%\" A\n",
+      "feed_pressure_bar = { signal = \"M.Feed\", scale = 2, offset = -5 }\nengine_load = \"M.Load\"\n"
+      "flushing = { signal = \"M.Load\", offset = 0.25 }\n");
+  REQUIRE(rig.can[0].routes.size() == 3);
+  CHECK(rig.can[0].routes[0].layout.scale == 1);
+  CHECK(rig.can[0].routes[0].layout.offset == 1);
+  CHECK(rig.can[0].routes[1].layout.scale == doctest::Approx(0.005));
+  CHECK(rig.can[0].routes[1].layout.offset == doctest::Approx(0.1));
+  CHECK(rig.can[0].routes[2].layout.scale == doctest::Approx(0.005));
+  CHECK(rig.can[0].routes[2].layout.offset == doctest::Approx(0.35));
+}
+
 TEST_CASE("two signals that stand in each other's place are named") {
   const std::string both =
       " SG_ Speed : 0|16@1+ (0.125,0) [0|0] \"rpm\" A\n SG_ Feed : 16|16@1+ (0.01,0) [0|0] \"bar\" A\n";

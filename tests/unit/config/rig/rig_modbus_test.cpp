@@ -115,4 +115,5 @@ TEST_CASE("a unit is down when the last of its signals is stale") {
       section("role = \"client\"\npoll_ms = 20\n", std::string(kFeedAt0) + "rod_count = { address = 1 }\n"));
   CHECK(rig.modbus[0].down_after_s == 5);
   CHECK(loaded(section("role = \"client\"\npoll_ms = 1000\n", kFeedAt0)).modbus[0].down_after_s == 3);
+  CHECK(loaded(section("role = \"client\"\npoll_ms = 2000\n", kFeedAt0)).modbus[0].down_after_s == 6);
 }

@@ -148,6 +148,8 @@ TEST_CASE("what the engine's check finds between keys is told with file, line an
         ":2: scene.contact_bar: is 70 bar, expected less than underfeed_bar, 60 bar");
   CHECK(refusal("[scene]\nhysteresis_bar = 3\nunderfeed_bar = 15\n") ==
         ":1: scene.contact_bar: is 15 bar, expected less than underfeed_bar, 15 bar");
+  CHECK(refusal("[audio]\n[scene]\nhysteresis_bar = 3\nunderfeed_bar = 15\n").rfind(":2: scene.contact", 0) ==
+        0);  // where its table begins
   CHECK(refusal("[scene]\nunderfeed_bar = 130\n") ==
         ":2: scene.underfeed_bar: is 130 bar, expected at most overfeed_bar, 120 bar");
   CHECK(refusal("[scene]\nunderfeed_bar = 120\n") == "");
@@ -180,6 +182,22 @@ TEST_CASE("signals go to the boom they name, and to one source only") {
   CHECK(refusal(minimal() + minimal()).find("twice") != std::string::npos);
   CHECK(refusal("[[boom]]\nname = \"a\"\n[[boom]]\nname = \"a\"\n").find("another boom") !=
         std::string::npos);
+}
+
+TEST_CASE("booms without a name are numbered, and there are four at most") {
+  const config::Rig rig = loaded("[[boom]]\n[[boom]]\nname = \"right\"\n[[boom]]\n" + minimal());
+  REQUIRE(rig.engine.booms.size() == 3);
+  CHECK(rig.engine.booms[0].name == "boom1");
+  CHECK(rig.engine.booms[1].name == "right");
+  CHECK(rig.engine.booms[2].name == "boom3");
+  std::string booms;
+  for (int b = 0; b < kMaxBooms; ++b) booms += "[[boom]]\n";
+  CHECK(refusal(booms).empty());
+  CHECK(refusal(booms + "[[boom]]\n").find("boom.name: is boom number 5, expected at most 4") !=
+        std::string::npos);
+  for (const char* name : {"engine_rpm", "a b", ""})
+    CHECK(refusal("[[boom]]\nname = \"" + std::string(name) + "\"\n").find("is no boom name") !=
+          std::string::npos);
 }
 
 TEST_CASE("a UDP input takes what no other bus delivers, or what it is told") {

@@ -40,14 +40,15 @@ config::PackedSet example() {
   laws.rock = "granite", laws.laws.ln_gap = 0.001;
   ToolModel tool;
   tool.name = "hex25";
-  StringModel rods;
-  rods.name = "rods38";
+  StringModel rods, thicker;
+  rods.name = "rods38", thicker.name = "rods45";
   DieselModel diesel = default_diesel();
   diesel.name = "diesel";
   diesel.stop = {0.5F, -0.25F};
-  set.parts.index.tools = {{"rods38", config::SteelKind::kString}, {"hex25"}};
+  set.parts.index.tools = {
+      {"rods38", config::SteelKind::kString}, {"hex25"}, {"rods45", config::SteelKind::kString}};
   set.parts.index.backgrounds = {"diesel"};
-  set.parts.tools = {tool}, set.parts.strings = {rods}, set.parts.diesels = {diesel};
+  set.parts.tools = {tool}, set.parts.strings = {rods, thicker}, set.parts.diesels = {diesel};
   set.rig = config::PackedRig{};
   set.rig->engine.seed = 18446744073709551615ULL;
   set.rig->engine.scene.overfeed_bar = 131;

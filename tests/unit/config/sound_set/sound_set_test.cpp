@@ -56,6 +56,33 @@ TEST_CASE("a merged index keeps comments and hand edits and adds only what is ne
   CHECK(index.banks[5].gain_db == 1.25);
 }
 
+TEST_CASE("laws, tools and backgrounds are merged by what tells them apart") {
+  TemporaryFolder set;
+  config::SoundSetIndex index = five_situations("a");
+  index.rocks = {{"granite"}};
+  index.laws.resize(3);
+  index.laws[1].laws.rods = 2;
+  index.laws[2].rock = "granite";
+  index.tools = {{"bar"}};
+  index.backgrounds = {"diesel"};
+  config::merge_index(set.path, index);
+  const std::string text = content(set.path / "soundset.toml");
+  config::merge_index(set.path, index);
+  CHECK(content(set.path / "soundset.toml") == text);
+  CHECK(config::load_index(set.path).laws.size() == 3);
+  index.laws[1].rock = "granite";  // of these rods there are laws, and of this rock, but not of both
+  index.tools.push_back({"rods", config::SteelKind::kString});
+  index.backgrounds.push_back("other");
+  config::merge_index(set.path, index);
+  const config::SoundSetIndex again = config::load_index(set.path);
+  REQUIRE(again.laws.size() == 4);
+  CHECK(again.laws[3].laws.rods == 2);
+  CHECK(again.laws[3].rock == "granite");
+  REQUIRE(again.tools.size() == 2);
+  CHECK(again.tools[1].kind == config::SteelKind::kString);
+  CHECK(again.backgrounds == std::vector<std::string>{"diesel", "other"});
+}
+
 TEST_CASE("a sound set loads at the engine's rate, each bank once, its trims added") {
   TemporaryFolder set;
   config::save_bank(set.path, example_bank("a", 44100), {});

@@ -19,10 +19,10 @@ namespace {
 constexpr int kBlock = 64, kPeriods = 3;
 
 struct Rig {
-  explicit Rig(bool present = true) {
+  explicit Rig(bool present = true, int periods = kPeriods) {
     card.present = present;
     options.block = kBlock;
-    options.periods = kPeriods;
+    options.periods = periods;
     options.channels = 1;
     const auto open = [this](const AudioOptions& o) -> std::unique_ptr<Pcm> {
       const std::lock_guard<std::mutex> answered(card.answers);
@@ -197,6 +197,30 @@ TEST_CASE("An error that never ends does not hold the audio thread") {
   rig.play(2);
   CHECK(rig.events(CardEvent::kLost) == 1);
   CHECK(rig.card.writes < 100);
+}
+
+TEST_CASE("A block has eight attempts, and eight more behind each part that was taken") {
+  for (const int errors : {8, 9}) {
+    CAPTURE(errors);
+    Rig rig;
+    for (int k = 0; k < errors; ++k) rig.card.at[kFirstBlockWrite + 3 + k] = -EINTR;
+    rig.play(10);
+    CHECK(rig.events(CardEvent::kLost) == (errors == 8 ? 0 : 1));
+    if (errors == 8) CHECK(rig.ramp() == ramp(10));
+  }
+  Rig in_parts;
+  for (int k = 0; k < 17; ++k) in_parts.card.at[kFirstBlockWrite + 3 + k] = k == 8 ? 20 : -EINTR;
+  in_parts.play(10);
+  CHECK(in_parts.ramp() == ramp(10));
+}
+
+TEST_CASE("A long buffer may be filled at once, and a tenth of a second more") {
+  Rig rig(true, 300);
+  rig.play(370);
+  CHECK(rig.sink->status().playing);
+  rig.play(10);
+  CHECK_FALSE(rig.sink->status().playing);
+  CHECK(rig.events(CardEvent::kLost) == 1);
 }
 
 TEST_CASE("A card that cannot be prepared is given up and closed before it is opened again") {

@@ -1,3 +1,4 @@
+// The clock that blocks are paced by.
 #include "rigsound/audio/clock.hpp"
 
 #include <doctest/doctest.h>
@@ -21,6 +22,25 @@ double taken_ns(Pacer& pacer, FakeClock& clock, int blocks) {
 
 bool equal(double a_ns, double b_ns) { return std::abs(a_ns - b_ns) < 2; }
 
+TEST_CASE("The real clock never wakes anybody early, and lets who is late go on") {
+  MonotonicClock clock;
+  const std::int64_t begin_ns = clock.now_ns();
+  for (const std::int64_t after_ns : {2'000'000, 1'000'000, 0, -1'000'000'000}) {
+    clock.sleep_until_ns(begin_ns + after_ns);
+    CHECK(clock.now_ns() >= begin_ns + after_ns);
+  }
+}
+
+TEST_CASE("Blocks of no whole nanoseconds keep their pace without drift") {
+  FakeClock clock;
+  const std::int64_t begin_ns = clock.now;
+  Pacer pacer(clock, 44100, 64);  // groups of 6
+  for (int k = 1; k <= 88200; ++k) {
+    pacer.wait();
+    if (k % 882 == 0) CHECK(clock.now - begin_ns == k / 882 * std::int64_t{1'280'000'000});
+  }
+}
+
 TEST_CASE("Blocks that nobody hears go by at their pace in groups of at most 10 ms") {
   FakeClock clock;
   Pacer pacer(clock, 48000, 64);
@@ -35,6 +55,13 @@ TEST_CASE("A block of 10 ms and more is waited for by itself") {
   Pacer pacer(clock, 48000, 480);
   CHECK(taken_ns(pacer, clock, 1) == 10e6);
   CHECK(taken_ns(pacer, clock, 1) == 10e6);
+}
+
+TEST_CASE("A lead is waited for") {
+  FakeClock clock;
+  Pacer pacer(clock, 48000, 480);
+  pacer.start(250'000'000);
+  CHECK(taken_ns(pacer, clock, 1) == 260e6);
 }
 
 TEST_CASE("Up to a second is caught up with; after more the pace goes on from where the blocks stand") {

@@ -58,3 +58,29 @@ TEST_CASE("Digital silence stays silent in S16") {
   const auto out = converted<std::int16_t>(std::vector<float>(1000, 0.0F), SampleFormat::kS16);
   CHECK(out == std::vector<std::int16_t>(1000, 0));
 }
+
+TEST_CASE("Every format is found by its name, and other words are none") {
+  for (const SampleFormat format : {SampleFormat::kAuto, SampleFormat::kFloat, SampleFormat::kS32,
+                                    SampleFormat::kS24_3, SampleFormat::kS16})
+    CHECK(sample_format_by_name(name(format)) == format);
+  for (const char* none : {"", "float", "S8", "S16 ", "FLOATS"}) CHECK_FALSE(sample_format_by_name(none));
+}
+
+TEST_CASE("The ends of every integer format are just below full scale and at it") {
+  const std::vector<float> in = {-1.0F, 1.0F, 0.99999994F, -0.5F / 8388608, 0.5F / 8388608};
+  const auto s32 = converted<std::int32_t>(in, SampleFormat::kS32);
+  CHECK(s32[0] == std::numeric_limits<std::int32_t>::min());
+  CHECK(s32[1] == std::numeric_limits<std::int32_t>::max());
+  CHECK(s32[2] == std::numeric_limits<std::int32_t>::max() - 127);  // 2^31 (1 - 2^-24)
+  std::vector<unsigned char> bytes(3 * in.size());
+  convert(in.data(), in.size(), 0, SampleFormat::kS24_3, bytes.data());
+  const auto s24 = [&](std::size_t i) {
+    const int value = bytes[3 * i] | bytes[3 * i + 1] << 8 | bytes[3 * i + 2] << 16;
+    return value >= 1 << 23 ? value - (1 << 24) : value;
+  };
+  CHECK(s24(0) == -(1 << 23));
+  CHECK(s24(1) == (1 << 23) - 1);
+  CHECK(s24(2) == (1 << 23) - 1);
+  CHECK(s24(3) == 0);  // halves go up
+  CHECK(s24(4) == 1);
+}

@@ -3,6 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
 #include "rigsound/audio/sample_format.hpp"
 #include "temporary_folder.hpp"
 
@@ -70,4 +75,28 @@ TEST_CASE("A WAV file over its limit is RF64 from then on and holds every sample
       CHECK(rf64.samples == wav.samples);
     }
   CHECK(std::distance(std::filesystem::directory_iterator(folder.path), {}) == 2);
+}
+
+TEST_CASE("FLAC and Ogg hold as many frames as were written, in blocks of any size") {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.ogg", "a.flac"})
+    for (const int channels : {1, 2})
+      for (const std::size_t frames :
+           {std::size_t{1}, std::size_t{4096}, std::size_t{5000}, std::size_t{9000}}) {
+        CAPTURE(name);
+        CAPTURE(frames);
+        const std::vector<float> sound = sound_of(frames * static_cast<std::size_t>(channels));
+        AtomicFile target(folder.path / name);
+        SoundWriter writer(target, {48000, channels, SampleFormat::kFloat}, 1 << 30);
+        writer.write(sound.data(), sound.size() * sizeof(float));
+        writer.write(sound.data(), sound.size() * sizeof(float));
+        writer.close();
+        target.commit();
+        const WrittenSound read = written(folder.path / name);
+        CHECK(read.info.channels == channels);
+        CHECK(read.samples.size() == 2 * sound.size());
+        if (std::string(name) == "a.flac")
+          for (std::size_t i = 0; i < read.samples.size(); ++i)
+            REQUIRE(std::fabs(read.samples[i] - sound[i % sound.size()]) < 1e-6F);
+      }
 }

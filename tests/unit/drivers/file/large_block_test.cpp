@@ -8,6 +8,7 @@
 #include <fstream>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "rigsound/machine/input_error.hpp"
 #include "temporary_folder.hpp"
@@ -32,6 +33,24 @@ TEST_CASE("a block is zeros from a multiple of a large page on, of any size") {
     CHECK(block.size() == bytes);
     CHECK(reinterpret_cast<std::uintptr_t>(block.data()) % kPiece == 0);
     CHECK(std::count(block.data(), block.data() + bytes, '\0') == static_cast<std::ptrdiff_t>(bytes));
+  }
+}
+
+TEST_CASE("a block takes the small pages that it needs, and a whole large one for more than half of it") {
+  constexpr std::size_t kPage = 4096;
+  const std::pair<std::size_t, std::size_t> taken[] = {{1, kPage},
+                                                       {5000, 2 * kPage},
+                                                       {kPiece, kPiece},
+                                                       {kPiece + 1, kPiece + kPage},
+                                                       {3 * kPiece / 2, 3 * kPiece / 2},
+                                                       {3 * kPiece / 2 + 1, 2 * kPiece},
+                                                       {kPiece - 1, kPiece}};
+  for (const auto& [bytes, mapped] : taken) {
+    CAPTURE(bytes);
+    const LargeBlock block(bytes);
+    char* const first = const_cast<char*>(block.data());
+    CHECK(is_there(first + mapped - kPage));
+    CHECK_FALSE(is_there(first + mapped));  // what is behind it was given back
   }
 }
 

@@ -159,6 +159,49 @@ TEST_CASE("A segment that comes late fills its gap") {
   CHECK(stream.next().empty());
 }
 
+TEST_CASE("A gap is filled in pieces, and forgotten when it is full or holds no Modbus") {
+  const std::vector<std::uint8_t> first = {0, 1, 0, 0, 0, 6, 1, 6, 0, 0, 0, 85},
+                                  second = {0, 2, 0, 0, 0, 6, 1, 6, 0, 0, 0, 86},
+                                  third = {0, 3, 0, 0, 0, 6, 1, 6, 0, 0, 0, 87};
+  const std::vector<std::uint8_t> half(second.begin(), second.begin() + 5),
+      rest(second.begin() + 5, second.end());
+  FrameStream stream;
+  CHECK(stream.add(segment(first, 1000)));
+  CHECK(stream.add(segment(third, 1024)));
+  CHECK(stream.add(segment(half, 1012)));
+  CHECK(stream.next() == first);
+  CHECK(stream.next() == third);
+  CHECK(stream.next().empty());
+  CHECK(stream.add(segment(rest, 1017)));
+  CHECK(stream.next() == second);
+  CHECK(stream.add(segment(second, 1012)));  // sent again: there is no gap any more
+  CHECK(stream.next().empty());
+
+  FrameStream damaged;
+  CHECK(damaged.add(segment(first, 1000)));
+  CHECK(damaged.add(segment(third, 1036)));
+  CHECK_FALSE(damaged.add(segment(std::vector<std::uint8_t>(12, 0xAA), 1012)));
+  CHECK(damaged.add(segment(second, 1024)));  // of the gap that was given up
+  CHECK(damaged.next() == first);
+  CHECK(damaged.next() == third);
+  CHECK(damaged.next().empty());
+}
+
+TEST_CASE("An RTU frame in a stream gets the head of a TCP frame and loses its checksum") {
+  const std::vector<std::uint8_t> rtu = {0x11, 0x03, 0x00, 0x6B, 0x00, 0x03, 0x76, 0x87},
+                                  tcp = {0, 0, 0, 0, 0, 6, 0x11, 0x03, 0x00, 0x6B, 0x00, 0x03};
+  FrameStream stream(Framing::kRtu);
+  std::vector<std::uint8_t> twice = rtu;
+  twice.insert(twice.end(), rtu.begin(), rtu.end());
+  CHECK(stream.add(segment(twice, 1)));
+  CHECK(stream.next() == tcp);
+  CHECK(stream.next() == tcp);
+  CHECK(stream.next().empty());
+  std::vector<std::uint8_t> wrong = rtu;
+  wrong.back() ^= 1;
+  CHECK_FALSE(stream.add(segment(wrong, 17)));
+}
+
 TEST_CASE("A cut-off capture, and what is none, are refused") {
   const OwnFile file;
   write_said(file.path);

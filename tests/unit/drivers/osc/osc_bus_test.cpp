@@ -171,6 +171,10 @@ TEST_CASE("A packet counts whole or not at all") {
     CAPTURE(text);
     CHECK(read(text).rfind("! ", 0) == 0);
   }
+  std::string deepest = good;
+  for (int i = 0; i < 8; ++i) deepest = bundle(1, {deepest});
+  CHECK(read(deepest) == "/a 1");
+  CHECK(read(bundle(1, {deepest})) == "! bundles in bundles");
   std::string deep = good;
   for (int i = 0; i < 200; ++i) deep = bundle(1, {deep});
   CHECK(read(deep) == "! bundles in bundles");

@@ -10,8 +10,8 @@ using namespace rigsound;
 
 namespace {
 
-struct Table {
-  explicit Table(const std::string& rows)
+struct TableFile {
+  explicit TableFile(const std::string& rows)
       : file(folder.write("states.csv", "time_s,signal,value\n" + rows)) {}
   test::TemporaryFolder folder;
   std::filesystem::path file;
@@ -27,7 +27,7 @@ EngineOptions two_booms() {
 
 TEST_CASE("a row acts from the block on that begins at its time or later, rounded to a microsecond") {
   // Blocks of 64 at 48 kHz begin at 0, 0.001333..., 0.002666..., printed as 0.002667, 0.004.
-  const Table table(
+  const TableFile table(
       "0,engine_rpm,1500\n0.001333,left.feed_pressure_bar,90\n0.002667,right.rattling,open\n"
       "0.003,feed_pressure_bar,95\n");
   session::TableStates states(table.file, two_booms());
@@ -42,7 +42,7 @@ TEST_CASE("a row acts from the block on that begins at its time or later, rounde
 }
 
 TEST_CASE("a table that names a boom of another rig is refused with the rig's names") {
-  const Table table("0,middle.feed_pressure_bar,90\n");
+  const TableFile table("0,middle.feed_pressure_bar,90\n");
   CHECK_THROWS_WITH_AS(session::TableStates(table.file, two_booms()),
                        doctest::Contains("no boom 'middle', expected one of: left, right"), InputError);
 }

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "drivers/modbus/bus_harness.hpp"
 #include "rigsound/machine/signal_board.hpp"
@@ -27,7 +28,7 @@ std::vector<NameRoute> routes() {
 }
 
 /// `engine_rpm 1500; boom2.rattling 1`, or `! why not`.
-std::string read(const std::string& text) {
+std::string read_datagram(const std::string& text) {
   std::string problem, told;
   const auto content = DatagramReader(routes()).read(text, 1, problem);
   if (!content) return "! " + problem;
@@ -42,8 +43,8 @@ std::string read(const std::string& text) {
   return told;
 }
 
-struct Listening {
-  explicit Listening(std::vector<Network> allow = {}) {
+struct ListeningUdp {
+  explicit ListeningUdp(std::vector<Network> allow = {}) {
     options.host = "127.0.0.1";
     options.port = 0;
     options.allow = std::move(allow);
@@ -65,16 +66,16 @@ struct Listening {
 }  // namespace
 
 TEST_CASE("A datagram names signals and says their values, in every way people write them") {
-  CHECK(read(R"({"engine_rpm": 1500, "boom2.rattling": 1})") == "engine_rpm 1500; boom2.rattling 1");
-  CHECK(read(R"({"boom2": {"rattling": "open", "feed_pressure_bar": 90.5}, "engine_rpm": 1e3})") ==
+  CHECK(read_datagram(R"({"engine_rpm": 1500, "boom2.rattling": 1})") == "engine_rpm 1500; boom2.rattling 1");
+  CHECK(read_datagram(R"({"boom2": {"rattling": "open", "feed_pressure_bar": 90.5}, "engine_rpm": 1e3})") ==
         "boom2.rattling 2; boom2.feed_pressure_bar 90.5; engine_rpm 1000");
-  CHECK(read(R"({"percussion": true, "rattling": "none"})") == "percussion 1; rattling 0");
-  CHECK(read(R"({"boom1": {"percussion": 1}, "boom1.rattling": 2})") == "percussion 1; rattling 2");
-  CHECK(read(R"({"percussion": null})") == "percussion not_available");
-  CHECK(read(R"({"seq": 7, "percussion": false})") == "percussion 0 seq 7");
-  CHECK(read(R"({"engine_rmp": 1, "percussion": 1})") == "percussion 1 unknown engine_rmp");
-  CHECK(read(R"({"boom3": {"rattling": 1}})") == " unknown boom3.rattling");
-  CHECK(read("{}") == "");
+  CHECK(read_datagram(R"({"percussion": true, "rattling": "none"})") == "percussion 1; rattling 0");
+  CHECK(read_datagram(R"({"boom1": {"percussion": 1}, "boom1.rattling": 2})") == "percussion 1; rattling 2");
+  CHECK(read_datagram(R"({"percussion": null})") == "percussion not_available");
+  CHECK(read_datagram(R"({"seq": 7, "percussion": false})") == "percussion 0 seq 7");
+  CHECK(read_datagram(R"({"engine_rmp": 1, "percussion": 1})") == "percussion 1 unknown engine_rmp");
+  CHECK(read_datagram(R"({"boom3": {"rattling": 1}})") == " unknown boom3.rattling");
+  CHECK(read_datagram("{}") == "");
 }
 
 TEST_CASE("A datagram counts whole or not at all") {
@@ -83,13 +84,13 @@ TEST_CASE("A datagram counts whole or not at all") {
         R"({"engine_rpm": 1500} x)", R"({"boom2": {"rattling": {"a": 1}}})", R"({"engine_rpm": 01})",
         R"({"engine_rpm": NaN})", "{\"engine_rpm\": 1\0}", "\xff\xfe{"}) {
     CAPTURE(text);
-    CHECK(read(text).rfind("! ", 0) == 0);
+    CHECK(read_datagram(text).rfind("! ", 0) == 0);
   }
-  CHECK(read(std::string(100000, '[')) == "! a list");
-  CHECK(read(std::string(50000, '{')).rfind("! ", 0) == 0);
+  CHECK(read_datagram(std::string(100000, '[')) == "! a list");
+  CHECK(read_datagram(std::string(50000, '{')).rfind("! ", 0) == 0);
   std::string deep;
   for (int i = 0; i < 20000; ++i) deep += "{\"a\":";
-  CHECK(read(deep) == "! an object in a boom's object");
+  CHECK(read_datagram(deep) == "! an object in a boom's object");
 }
 
 TEST_CASE("A word that a signal does not have, or a number out of its range, is refused by the board") {
@@ -112,10 +113,17 @@ TEST_CASE("Numbers tell a late datagram from a sender that began anew") {
   CHECK(filter.passes(0, 2));  // after a pause
   CHECK(filter.passes(5000, 2.1));
   CHECK(filter.passes(1, 2.2));  // far behind
+  for (const auto& [behind, later_s, good] :
+       {std::tuple(999, 0.5, false), std::tuple(1000, 0.5, true), std::tuple(5, 0.75, false),
+        std::tuple(5, 1.0, true), std::tuple(0, 0.0, false)}) {
+    SequenceFilter edge;
+    CHECK(edge.passes(7000, 4));
+    CHECK(edge.passes(7000 - behind, 4 + later_s) == good);
+  }
 }
 
 TEST_CASE("What is sent is told with its time, and counted") {
-  Listening l;
+  ListeningUdp l;
   REQUIRE(l.sender->send(R"({"engine_rpm": 1500, "boom2": {"feed_pressure_bar": 90}})"));
   await([&] { return l.told.of(Signal::kFeedPressureBar).value == 90; });
   CHECK(l.told.of(Signal::kEngineRpm).value == 1500);
@@ -133,7 +141,7 @@ TEST_CASE("What is sent is told with its time, and counted") {
 }
 
 TEST_CASE("Only allowed networks may send") {
-  Listening l({{"10.0.0.0/8", {10, 0, 0, 0}, 8}});
+  ListeningUdp l({{"10.0.0.0/8", {10, 0, 0, 0}, 8}});
   REQUIRE(l.sender->send(R"({"engine_rpm": 1500})"));
   await([&] { return count(*l.bus, "frames_rejected") == 1; });
   CHECK(l.told.total() == 0);
@@ -141,7 +149,7 @@ TEST_CASE("Only allowed networks may send") {
 }
 
 TEST_CASE("A flood of garbage changes nothing but counters, in one line") {
-  Listening l;
+  ListeningUdp l;
   REQUIRE(l.sender->send(R"({"engine_rpm": 1500})"));
   await([&] { return l.told.of(Signal::kEngineRpm).value == 1500; });
   const std::size_t before = l.told.total();
@@ -156,7 +164,7 @@ TEST_CASE("A flood of garbage changes nothing but counters, in one line") {
 }
 
 TEST_CASE("A port that is taken is told, and tried again") {
-  Listening l;
+  ListeningUdp l;
   UdpOptions other = l.options;
   other.port = l.bus->port();
   Told told;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 using namespace rigsound;
 using namespace rigsound::tests;
@@ -129,8 +130,11 @@ TEST_CASE("mute: the safety gain falls to zero over fade_s and comes back") {
 
 TEST_CASE("stepped signals are rounded and never stand between two values") {
   Board board(rules(SafetyAction::kIdle, kFade_s));
-  board.update({Signal::kRodCount, 0}, 6.7, 0);
-  CHECK(board.resolve(0).boom[0].rod_count == 7);
+  for (const auto& [told, rods] :
+       {std::pair(6.45, 6), std::pair(6.5, 7), std::pair(7.49, 7), std::pair(6.7, 7)}) {
+    board.update({Signal::kRodCount, 0}, told, 0);
+    CHECK(board.resolve(0).boom[0].rod_count == rods);
+  }
   CHECK(board.resolve(0.55).boom[0].rod_count == 1);
 }
 
@@ -204,6 +208,36 @@ TEST_CASE("the speed goes on between messages, by its slope") {
   const MachineState state = board.resolve(1.01);
   CHECK(static_cast<double>(state.engine_rpm) == doctest::Approx(2010).epsilon(0.001));
   CHECK(static_cast<double>(state.engine_rpm_slope) == doctest::Approx(1000).epsilon(0.02));
+}
+
+TEST_CASE("a speed that is no longer believed loses its slope over fade_s; other signals' losses leave it") {
+  for (const bool speed_is_lost : {true, false}) {
+    CAPTURE(speed_is_lost);
+    Board board(rules(SafetyAction::kHold, kFade_s));
+    double now_s = 0;
+    const auto tell = [&] {
+      board.update(kRpm, 1000 + 900 * now_s, now_s);
+      for_each_signal(kMaxBooms, [&](SignalId id) {
+        if (id.signal != Signal::kEngineRpm) board.update(id, info(id.signal).max, now_s);
+      });
+    };
+    for (int i = 0; i < 50; ++i, now_s += 0.02) tell();
+    board.resolve(now_s);
+    for_each_signal(kMaxBooms, [&](SignalId id) {
+      if ((id.signal == Signal::kEngineRpm) == speed_is_lost)
+        board.board.take({id, 0, Validity::kBusDown, now_s});
+    });
+    board.resolver.resolve(board.board, board.safety, now_s);
+    const double half = speed_is_lost ? 0.5 : 1, none = speed_is_lost ? 0 : 1;
+    CHECK(static_cast<double>(board.resolve(now_s + kFade_s / 2).engine_rpm_slope) ==
+          doctest::Approx(900 * half).epsilon(0.02));
+    const MachineState after = board.resolve(now_s + 0.22);
+    CHECK(static_cast<double>(after.engine_rpm_slope) ==
+          doctest::Approx(900 * none).scale(900).epsilon(0.01));
+    const double last_told = 1000 + 900 * (now_s - 0.02);
+    CHECK(static_cast<double>(after.engine_rpm) ==
+          doctest::Approx(last_told + 900 * 0.24 * none).epsilon(0.001));
+  }
 }
 
 TEST_CASE("no bus can say what stands for absent, and a word takes its own values only") {

@@ -7,6 +7,7 @@
 #include "engine/heard.hpp"
 #include "engine/string/string_sounds.hpp"
 #include "string/bending_modes.hpp"
+#include "string/design/string_tuning.hpp"
 
 using namespace rigsound;
 using namespace rigsound::tests;
@@ -134,4 +135,24 @@ TEST_CASE("the bit's loading time and the energy it sends back follow their form
   CHECK(reflected_energy(1e6) == doctest::Approx(1).epsilon(1e-4));
   CHECK(reflected_energy(1.2) > reflected_energy(1.256));
   CHECK(reflected_energy(1.3) > reflected_energy(1.256));
+}
+
+TEST_CASE("a round trip loses at 500 and 5000 Hz what the model's decay times there say") {
+  for (const int rods : {1})  // the filter of a longer string cannot fall that far
+    for (const double rate : {44100.0, 96000.0}) {
+      StringModel model = plain_string(3.66, 0.038, rods);
+      model.string_low_s = 0.5, model.string_high_s = 0.3;
+      const string::StringTuning tuning = string::tune_string(model, rods, rate);
+      const auto gain = [&](double hz) {
+        return tuning.loss_middle + 2 * tuning.loss_side * std::cos(2 * M_PI * hz / rate);
+      };
+      const auto wanted = [&](double t60_s) {
+        return std::pow(10, -3 * tuning.round_trip() / (t60_s * rate));
+      };
+      CAPTURE(rods);
+      CHECK(gain(500) == doctest::Approx(wanted(0.5)).epsilon(1e-9));
+      CHECK(gain(5000) == doctest::Approx(wanted(0.3)).epsilon(1e-9));
+      CHECK(gain(0) <= 1);
+      CHECK(gain(rate / 2) >= -1e-12);
+    }
 }

@@ -177,3 +177,33 @@ TEST_CASE("a bar that has died away sleeps with exact zeros and wakes like a new
   bar.process(strike.drive(), again);
   for (int n = 0; n < kChunk; ++n) CHECK(again[n] == first[n]);
 }
+
+TEST_CASE("the high-pass is one of the first order, 6 dB down at its frequency") {
+  for (const double rate : {44100.0, 96000.0})
+    for (const double highpass_hz : {300.0, 800.0}) {
+      const ToolDesign design = design_tool(model_of({0.5, 0.025}), rate);
+      BarLoops cut(design, highpass_hz, widest_lanes()), whole(design, 1e-6, widest_lanes());
+      // H(z) = b (1 - 1/z) / (1 - p / z), 1 at half the rate and 1/2 at its frequency.
+      const double omega = 2 * M_PI * highpass_hz / rate;
+      const auto gain = [&](double p) {
+        const double over = 2 * std::fabs(std::sin(omega / 2));
+        return (1 + p) / 2 * over / std::sqrt(1 - 2 * p * std::cos(omega) + p * p);
+      };
+      double low = 0, high = 1;
+      for (int i = 0; i < 60; ++i) (gain((low + high) / 2) > 0.5 ? high : low) = (low + high) / 2;
+      const double p = low, b = (1 + p) / 2;
+      double before = 0, expected = 0;
+      for (int chunk = 0; chunk < 100; ++chunk) {
+        Curves strike(0.89, 0.94);
+        strike.x[5] = chunk == 0 ? 1 : 0;
+        double y[kChunk], heard[kChunk];
+        whole.process(strike.drive(), y);
+        cut.process(strike.drive(), heard);
+        for (int n = 0; n < kChunk; ++n) {
+          expected = b * (y[n] - before) + p * expected;
+          before = y[n];
+          REQUIRE(heard[n] == doctest::Approx(expected).scale(1).epsilon(1e-7));
+        }
+      }
+    }
+}

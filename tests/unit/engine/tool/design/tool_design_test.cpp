@@ -83,6 +83,7 @@ TEST_CASE("a wish that cannot be granted is answered with what can") {
   REQUIRE(std::sscanf(text.c_str(), "t60: no passive loop decays like that, expected %lf ms...%lf ms",
                       &shortest, &longest) == 2);
   CHECK(shortest < longest);
+  CHECK(text.substr(text.find(" at ")) == " at 5000 Hz beside 100.0 ms at 460 Hz");
   shortest /= 1000, longest /= 1000;
   for (const double high_s : {shortest, longest}) {
     model.transversal.wish.high_s = high_s;
