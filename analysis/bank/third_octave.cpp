@@ -7,6 +7,7 @@
 
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/dsp/elementary.hpp"
+#include "spectrum/frame_pair.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -44,25 +45,25 @@ std::vector<double> third_octaves(double origin_hz, int from, int to) {
 }  // namespace
 
 BandLevels third_octave_levels(const std::vector<float>& x) {
-  const Eigen::ArrayXd window = hann_window(kFrame);
+  const Eigen::ArrayXf window = hann_window(kFrame).cast<float>();
   const auto size = static_cast<long>(x.size());
-  Eigen::FFT<double> fft;
-  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-  Eigen::VectorXd frame(kFrame);
-  Eigen::VectorXcd bins;
-  Eigen::ArrayXd power = Eigen::ArrayXd::Zero(kFrame / 2 + 1);
-  long frames = 0, start = 0;
-  do {
-    const long length = std::min<long>(kFrame, size - start);
+  const long frames = 1 + std::max(0L, (size - kFrame) / (kFrame / 2));
+  const auto windowed = [&](long i, float* to) {
+    Eigen::Map<Eigen::ArrayXf> frame(to, kFrame);
     frame.setZero();
-    frame.head(length) =
-        Eigen::Map<const Eigen::ArrayXf>(x.data() + start, length).cast<double>() * window.head(length);
-    fft.fwd(bins, frame);
-    power += bins.array().abs2();
-    ++frames;
-    start += kFrame / 2;
-  } while (start + kFrame <= size);
-  power *= 2 / (static_cast<double>(frames) * window.square().sum() * kFrame);  // one-sided
+    if (i >= frames) return;
+    const long start = i * (kFrame / 2), length = std::min<long>(kFrame, size - start);
+    frame.head(length) = Eigen::Map<const Eigen::ArrayXf>(x.data() + start, length) * window.head(length);
+  };
+  FramePair pair(kFrame);
+  Eigen::ArrayXd power = Eigen::ArrayXd::Zero(kFrame / 2 + 1);
+  for (long i = 0; i < frames; i += 2) {
+    windowed(i, pair.first()), windowed(i + 1, pair.second());
+    pair.forward();
+    for (int k = 0; k <= kFrame / 2; ++k) power(k) += static_cast<double>(pair.power(k));
+  }
+  // One-sided.
+  power *= 2 / (static_cast<double>(frames) * window.cast<double>().square().sum() * kFrame);
   return in_bands(power, kAnalysisRate / kFrame, third_octaves(1000, -12, 12), kSilence);
 }
 

@@ -26,8 +26,8 @@ constexpr double kHopeless = 0.3, kClear = 1;
 // Probability of the rough clicks' best window. Of 130 drills, 32 of them at -6 dB, none was below 5e-4; of
 // 187 other sounds four in five are below this.
 constexpr double kPromising = 1e-4;
-constexpr double kSlowCost = 0.06;    // times the squared share of noise, chosen on ids 100-131
-constexpr int kRoughIterations = 90;  // of step 6, where its result only guides the next search
+constexpr double kSlowCost = 0.06;  // times the squared share of noise, chosen on ids 100-131
+constexpr int kRoughRounds = 3;     // of step 6, where its result only guides the next search
 
 /// Of all power.
 double noise_share(const MeanPsd& psd) { return psd.N.sum() / (psd.S.sum() + psd.N.sum()); }
@@ -76,7 +76,7 @@ ClickTrain fit(const ClickSearch& found, FitEffort effort, const std::string& pa
 
 Factors rough_factors(const PowerSpectrogram& power, const ClickTrain& clicks) {
   CsNmfOptions options;
-  options.iterations = kRoughIterations;
+  options.rounds = kRoughRounds;
   return cs_nmf(power, {{clicks, kUsualDecays}}, options);
 }
 
@@ -89,8 +89,8 @@ Factors final_factors(const PowerSpectrogram& power, const ClickTrain& clicks, d
 }
 
 SearchedClip searched(const ClickSearch& found, const ClickTrain& clicks, const PowerSpectrogram& power,
-                      const std::optional<Factors>& factors) {
-  return {found.y.size(), found.candidates, clicks, power, factors ? &*factors : nullptr};
+                      const Grid& background_alone, const std::optional<Factors>& factors) {
+  return {found.y.size(), found.candidates, clicks, power, background_alone, factors ? &*factors : nullptr};
 }
 
 ClipMachine split_without_denoising(const std::vector<float>& x, const std::vector<Segment>& windows,
@@ -104,7 +104,8 @@ ClipMachine split_without_denoising(const std::vector<float>& x, const std::vect
   std::optional<Factors> factors;
   if (all.clicks.P.size() >= kFewestFitted) factors = rough_factors(power, all.clicks);
   all.drilling = x;
-  all.verdict = judge(windows, searched(found, all.clicks, power, factors), "only", dump);
+  all.verdict =
+      judge(windows, searched(found, all.clicks, power, left_by_background(power), factors), "only", dump);
   return all;
 }
 
@@ -177,8 +178,9 @@ std::vector<ClipMachine> split_of_two(const std::vector<Segment>& windows, const
     const std::string pass = fmt::format("machine{}", k + 1);
     const Factors own = drilling_of_train(two.factors, k), alone = without_other_words(own);
     dump_detection(dump, pass, m.found.y, m.found.candidates, m.clicks);
+    const PowerSpectrogram rest = without_other_machine(power, own);
     auto verdict = judge(
-        windows, {m.found.y.size(), m.found.candidates, m.clicks, without_other_machine(power, own), &alone},
+        windows, {m.found.y.size(), m.found.candidates, m.clicks, rest, left_by_background(rest), &alone},
         pass, dump);
     if (!drills(verdict) || m.clicks.P.size() < kFewestDrillingClicks) return {};
     const PsdPair psd = modelled_psd(own, power);
@@ -205,8 +207,10 @@ std::vector<ClipMachine> split_by_click_nmf(const std::vector<float>& x, const s
   dump_split(dump, "blind", X, start.blind, x.size());
 
   Pass pass = first_pass(start.found, power, dump);
+  const Grid background_alone = left_by_background(power);
   const auto judged = [&] {
-    return judge(windows, searched(pass.found, pass.clicks, power, pass.factors), "pass2", dump);
+    return judge(windows, searched(pass.found, pass.clicks, power, background_alone, pass.factors), "pass2",
+                 dump);
   };
   std::vector<JudgedWindow> verdict;
   if (!options.labelled) verdict = judged();
@@ -218,7 +222,7 @@ std::vector<ClipMachine> split_by_click_nmf(const std::vector<float>& x, const s
   }
   if (may_drill) verdict = judged();
   if (drills(verdict))
-    if (const auto two = find_second_machine(x, mean_over_time(start.blind), power, pass.clicks))
+    if (const auto two = find_second_machine(x, start.found.y, power, pass.clicks))
       if (auto both = split_of_two(windows, X, power, *two, x.size(), dump); !both.empty()) return both;
   const bool by_clicks = pass.factors && (options.labelled || drills(verdict));
   const PsdPair psd = by_clicks ? modelled_psd(*pass.factors, power) : start.blind;

@@ -15,11 +15,6 @@
 namespace rigsound::analysis {
 namespace {
 
-/// How well the clicks explain the powers, and how well a slow background alone does: divergences.
-struct Explained {
-  Grid with_clicks, background_alone;
-};
-
 ClickTrain clicks_in(const Segment& window, const ClickTrain& clicks) {
   ClickTrain inside = clicks;
   inside.P.clear(), inside.beta.clear();
@@ -38,7 +33,7 @@ const Selection& clearer(const Selection& own, const Selection& of_clip) {
 }
 
 /// Of one window alone, as far as the clip holds it.
-DrillingEvidence evidence_in(const Segment& whole, const SearchedClip& clip, const Explained& explained) {
+DrillingEvidence evidence_in(const Segment& whole, const SearchedClip& clip, const Grid& with_clicks) {
   const Segment window{std::max(0L, whole.begin), std::min(clip.length, whole.end)};
   DrillingEvidence e;
   e.clicks = clicks_in(window, clip.clicks);
@@ -58,9 +53,8 @@ DrillingEvidence evidence_in(const Segment& whole, const SearchedClip& clip, con
   const PowerSpectrogram power = frames_between(clip.power, first, last);
   e.likeness = click_likeness(power, e.clicks);
   const Eigen::ArrayXf near = frames_near_clicks(e.clicks, power.frames);
-  e.background_alone =
-      mean_divergence(power, explained.background_alone.middleCols(first, power.frames), near);
-  e.with_clicks = mean_divergence(power, explained.with_clicks.middleCols(first, power.frames), near);
+  e.background_alone = mean_divergence(power, clip.background_alone.middleCols(first, power.frames), near);
+  e.with_clicks = mean_divergence(power, with_clicks.middleCols(first, power.frames), near);
   return e;
 }
 
@@ -104,17 +98,16 @@ bool drills(const std::vector<JudgedWindow>& verdict) {
                      [](const JudgedWindow& w) { return w.probability >= kDrillingProbability; });
 }
 
+Grid left_by_background(const PowerSpectrogram& power) { return itakura_saito(power, background_nmf(power)); }
+
 std::vector<JudgedWindow> judge(const std::vector<Segment>& windows, const SearchedClip& clip,
                                 const std::string& pass, const Dump& dump) {
-  Explained explained;
-  if (clip.factors) {
-    explained.with_clicks = itakura_saito(clip.power, *clip.factors);
-    explained.background_alone = itakura_saito(clip.power, background_nmf(clip.power));
-  }
+  Grid with_clicks;
+  if (clip.factors) with_clicks = itakura_saito(clip.power, *clip.factors);
   std::vector<JudgedWindow> verdict;
   std::vector<std::vector<double>> rows;
   for (const Segment& window : windows) {
-    const DrillingEvidence e = evidence_in(window, clip, explained);
+    const DrillingEvidence e = evidence_in(window, clip, with_clicks);
     verdict.push_back({window, drilling_probability(e), objections_to(e)});
     rows.push_back(evidence_row(verdict.back(), e));
   }

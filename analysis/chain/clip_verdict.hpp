@@ -27,8 +27,12 @@ struct SearchedClip {
   const Candidates& candidates;
   const ClickTrain& clicks;
   const PowerSpectrogram& power;
-  const Factors* factors;  ///< of step 6; null: too few clicks for it
+  const Grid& background_alone;  ///< left_by_background() of it
+  const Factors* factors;        ///< of step 6; null: too few clicks for it
 };
+
+/// The divergence that a slow background leaves of every cell. Thread: OFF.
+Grid left_by_background(const PowerSpectrogram& power);
 
 /// The verdict on every window; the figures behind it go into PASS_evidence.csv. Thread: OFF.
 std::vector<JudgedWindow> judge(const std::vector<Segment>& windows, const SearchedClip& clip,

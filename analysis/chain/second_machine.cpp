@@ -163,12 +163,12 @@ double phase_locking(const ClickTrain& train, const ClickTrain& other) {
   return counted > 0 ? longest / counted : 1;
 }
 
-std::optional<TwoMachines> find_second_machine(const std::vector<float>& x, const MeanPsd& blind,
+std::optional<TwoMachines> find_second_machine(const std::vector<float>& x, const Eigen::ArrayXd& y,
                                                const PowerSpectrogram& power, const ClickTrain& first) {
   TwoMachines two;
   two.machine[0].clicks = first;
   ClickSearch& beside = two.machine[1].found;
-  beside.y = whiten(x, noise_aware_whitener(blind.S, blind.N));
+  beside.y = y;
   const HeardTrain known = hear_train(beside.y, first);
   beside.candidates = candidates_beside(beside.y, known);
   beside.selection = select_clicks(beside.candidates, kDrillingRates);

@@ -1,6 +1,7 @@
 // A second machine that strikes in the same clip at a rate of its own.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <optional>
 #include <vector>
@@ -23,11 +24,11 @@ struct TwoMachines {
   Factors factors;                      ///< of step 6 with both
 };
 
-/// Looks for another chain of impacts in what `first` leaves of x, whitened by the powers of the blind split.
-/// It must be clear over chance and keep no phase with the first one, as echoes and double impacts do. Both
-/// are then found anew, each with the other's variance known and in the bands in which it is the louder one.
-/// Nothing where there is no second. Thread: OFF.
-std::optional<TwoMachines> find_second_machine(const std::vector<float>& x, const MeanPsd& blind,
+/// Looks for another chain of impacts in what `first` leaves of y: x whitened by the powers of the blind
+/// split. It must be clear over chance and keep no phase with the first one, as echoes and double impacts do.
+/// Both are then found anew, each with the other's variance known and in the bands in which it is the louder
+/// one. Nothing where there is no second. Thread: OFF.
+std::optional<TwoMachines> find_second_machine(const std::vector<float>& x, const Eigen::ArrayXd& y,
                                                const PowerSpectrogram& power, const ClickTrain& first);
 
 /// The order, 1 to 4, at which the onsets of `other` keep their phase in the gaps of `train` best: the length

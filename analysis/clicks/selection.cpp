@@ -41,14 +41,13 @@ struct Step {
 /// The best chain that ends at candidate i, given those before it. `pause`: the best that ended over
 /// kLongestGap ago, -1 for none.
 Step best_step(const std::vector<int>& time, const std::vector<Step>& steps, int i, int pause, double score,
-               double T_0) {
-  Step best{score - edge_cost(time[i], T_0), -1};
+               const GapCosts& costs) {
+  Step best{score - edge_cost(time[i], costs.T_0), -1};
   if (pause >= 0 && steps[pause].total + score - kPauseCost > best.total)
     best = {steps[pause].total + score - kPauseCost, pause};
-  for (int j = i - 1; j >= 0; --j) {
-    const double g = (time[i] - time[j]) / T_0;
-    if (g > kLongestGap) break;
-    const double total = steps[j].total + score - gap_cost(g);
+  const auto longest = static_cast<int>(costs.of_gap.size());
+  for (int j = i - 1; j >= 0 && time[i] - time[j] < longest; --j) {
+    const double total = steps[j].total + score - costs.of_gap[time[i] - time[j]];
     if (total > best.total) best = {total, j};
   }
   return best;
@@ -91,9 +90,9 @@ std::vector<std::vector<int>> random_times(size_t count, long length) {
 
 /// What chance alone gives: the total of the best chain through the candidates at random times.
 double total_by_chance(const std::vector<std::vector<int>>& draws, const std::vector<double>& score,
-                       double T_0, long length) {
+                       const GapCosts& costs, long length) {
   double sum = 0;
-  for (const std::vector<int>& time : draws) sum += best_chain(time, score, T_0, length).total;
+  for (const std::vector<int>& time : draws) sum += best_chain(time, score, costs, length).total;
   return sum / kChanceDraws;
 }
 
@@ -114,14 +113,20 @@ double gap_cost(double g) {
   return g < kDoubleBelow ? std::min(cost, kDoubleCost) : cost;
 }
 
-Chain best_chain(const std::vector<int>& time, const std::vector<double>& score, double T_0, long length) {
+GapCosts::GapCosts(double period) : T_0(period) {
+  for (int gap = 0; gap / T_0 <= kLongestGap; ++gap) of_gap.push_back(gap_cost(gap / T_0));
+}
+
+Chain best_chain(const std::vector<int>& time, const std::vector<double>& score, const GapCosts& costs,
+                 long length) {
+  const double T_0 = costs.T_0;
   std::vector<Step> steps;
   int best = -1, pause = -1, waiting = 0;
   double best_total = -kInfinite;
   for (int i = 0; i < static_cast<int>(time.size()); ++i) {
     for (; time[i] - time[waiting] > kLongestGap * T_0; ++waiting)
       if (pause < 0 || steps[waiting].total > steps[pause].total) pause = waiting;
-    steps.push_back(best_step(time, steps, i, pause, score[i], T_0));
+    steps.push_back(best_step(time, steps, i, pause, score[i], costs));
     const double total = steps[i].total - edge_cost(static_cast<double>(length - time[i]), T_0);
     if (total > best_total) best_total = total, best = i;
   }
@@ -137,10 +142,11 @@ Selection select_at_period(const Candidates& candidates, double T_0) {
   selection.mean_gap_blocks = T_0;
   if (candidates.block.empty()) return selection;
   const std::vector<double> score = scores(candidates, reference_statistic(candidates));
-  const Chain chain = best_chain(candidates.block, score, T_0, candidates.z.size());
+  const GapCosts costs(T_0);
+  const Chain chain = best_chain(candidates.block, score, costs, candidates.z.size());
   selection.total = chain.total;
   selection.surplus = chain.total - total_by_chance(random_times(score.size(), candidates.z.size()), score,
-                                                    T_0, candidates.z.size());
+                                                    costs, candidates.z.size());
   selection.block = blocks_of(candidates, chain);
   return selection;
 }
@@ -153,13 +159,14 @@ Selection select_clicks(const Candidates& candidates, const RateRange& range) {
   const std::vector<std::vector<int>> draws = random_times(score.size(), candidates.z.size());
   double best = -kInfinite;
   for (const int T : period_hypotheses(candidates.z.min(reference), kBlockRate, range)) {
-    Chain chain = best_chain(candidates.block, score, T, candidates.z.size());
+    const GapCosts costs(T);
+    Chain chain = best_chain(candidates.block, score, costs, candidates.z.size());
     if (chain.chosen.size() > 3) {
       const double refined = median_gap(blocks_of(candidates, chain));
       if (std::fabs(refined / T - 1) < 0.35)
-        chain = best_chain(candidates.block, score, refined, candidates.z.size());
+        chain = best_chain(candidates.block, score, GapCosts(refined), candidates.z.size());
     }
-    const double chance = total_by_chance(draws, score, T, candidates.z.size());
+    const double chance = total_by_chance(draws, score, costs, candidates.z.size());
     if (chain.total - kChanceShare * chance <= best) continue;
     best = chain.total - kChanceShare * chance;
     selection.surplus = chain.total - chance;

@@ -18,9 +18,19 @@ struct Chain {
 /// impact); infinite below 0.28 and above 4.5, where only a pause continues the chain. Thread: OFF.
 double gap_cost(double g);
 
+/// gap_cost() of every whole number of blocks that a gap of one period may have: chains ask for the same few
+/// thousand over and over. Thread: OFF.
+struct GapCosts {
+  explicit GapCosts(double period);  ///< blocks
+
+  double T_0;                  ///< blocks
+  std::vector<double> of_gap;  ///< blocks 0, 1 ... up to the longest gap
+};
+
 /// The chain of largest total = sum of scores - gap costs - pauses - silent edges, by dynamic programming.
-/// `time`: blocks, ascending; `length`: blocks of the whole signal; `T_0`: blocks. Thread: OFF.
-Chain best_chain(const std::vector<int>& time, const std::vector<double>& score, double T_0, long length);
+/// `time`: blocks, ascending; `length`: blocks of the whole signal. Thread: OFF.
+Chain best_chain(const std::vector<int>& time, const std::vector<double>& score, const GapCosts& costs,
+                 long length);
 
 struct Selection {
   std::vector<int> block;      ///< of the clicks, ascending

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/click_kernels.hpp"
+
 namespace rigsound::analysis {
 
 TrainPower::TrainPower(const EnvelopePower& shape, const std::vector<long>& onset, long length)
@@ -31,12 +33,13 @@ void TrainPower::each_attack_block(const Click& click, Visit visit) const {
 }
 
 void TrainPower::spread(const Eigen::ArrayXd& power, double floor, Eigen::ArrayXd& v) const {
-  v.setConstant(length_, floor);
+  v.resize(length_);
+  v.head(clicks_.empty() ? length_ : clicks_.front().start).setConstant(floor);
   double carried = 0;
   for (size_t i = 0; i < clicks_.size(); ++i) {
     const Click& click = clicks_[i];
     carried += power(static_cast<long>(i)) * click.first;
-    v.segment(click.start, click.end - click.start) += carried * decay_.head(click.end - click.start);
+    click_kernels().tail(carried, decay_.data(), floor, click.end - click.start, v.data() + click.start);
     carried *= click.carry;
   }
   for (size_t i = 0; i < clicks_.size(); ++i)
@@ -45,17 +48,22 @@ void TrainPower::spread(const Eigen::ArrayXd& power, double floor, Eigen::ArrayX
     });
 }
 
-Eigen::ArrayXd TrainPower::gather(const Eigen::ArrayXd& x) const {
-  Eigen::ArrayXd sums(static_cast<long>(clicks_.size()));
-  double later = 0;
-  for (size_t i = clicks_.size(); i-- > 0;) {
-    const Click& click = clicks_[i];
-    const long length = click.end - click.start;
-    later = later * click.carry + (decay_.head(length) * x.segment(click.start, length)).sum();
-    double sum = click.first * later;
-    each_attack_block(
-        click, [&](long at, const auto& attack) { sum += (attack * x.segment(at, attack.size())).sum(); });
-    sums(static_cast<long>(i)) = sum;
+std::array<Eigen::ArrayXd, 2> TrainPower::gather(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) const {
+  const auto count = static_cast<long>(clicks_.size());
+  std::array<Eigen::ArrayXd, 2> sums{Eigen::ArrayXd(count), Eigen::ArrayXd(count)};
+  const auto products = [&](const double* a, long at, long length) {
+    return click_kernels().products(a, x.data() + at, y.data() + at, length);
+  };
+  PairOfSums later;
+  for (long i = count; i-- > 0;) {
+    const Click& click = clicks_[static_cast<size_t>(i)];
+    const PairOfSums tail = products(decay_.data(), click.start, click.end - click.start);
+    later = {later.first * click.carry + tail.first, later.second * click.carry + tail.second};
+    sums[0](i) = click.first * later.first, sums[1](i) = click.first * later.second;
+    each_attack_block(click, [&](long at, const auto& attack) {
+      const PairOfSums here = products(attack.data(), at, attack.size());
+      sums[0](i) += here.first, sums[1](i) += here.second;
+    });
   }
   return sums;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "clicks/envelope.hpp"
@@ -19,8 +20,8 @@ class TrainPower {
   /// v, `length` values. Thread: OFF.
   void spread(const Eigen::ArrayXd& power, double floor, Eigen::ArrayXd& v) const;
 
-  /// sum_n a^2(n - P_i) x_n for every click. Thread: OFF.
-  Eigen::ArrayXd gather(const Eigen::ArrayXd& x) const;
+  /// sum_n a^2(n - P_i) x_n and the same of y for every click. Thread: OFF.
+  std::array<Eigen::ArrayXd, 2> gather(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) const;
 
  private:
   struct Click {

@@ -1,25 +1,23 @@
 #include "clicks/variance_model.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
+
+#include "kernels/click_kernels.hpp"
 
 namespace rigsound::analysis {
 
-double log_sum(const Eigen::Ref<const Eigen::ArrayXd>& w) {
-  // One logarithm for eight factors; their product stays within the range of a double.
-  const long m = w.size() / 8;
-  const auto part = [&](long k) { return w.segment(k * m, m); };
-  const double products =
-      (part(0) * part(1) * part(2) * part(3) * part(4) * part(5) * part(6) * part(7)).log().sum();
-  return products + w.tail(w.size() - 8 * m).log().sum();
-}
-
 double divergence(const Eigen::Ref<const Eigen::ArrayXd>& q, const Eigen::Ref<const Eigen::ArrayXd>& w) {
-  return log_sum(w) + (q / w).sum();
+  const PairOfSums sums =
+      click_kernels().divergence(q.data(), w.data(), std::numeric_limits<double>::max(), w.size());
+  return sums.first + sums.second;
 }
 
 double model_cost(const Eigen::ArrayXd& q, const Eigen::ArrayXd& v, int block) {
-  return 0.5 * block * (log_sum(v) + (q / v).min(kOutlierClip).sum());
+  const PairOfSums sums = click_kernels().divergence(q.data(), v.data(), kOutlierClip, v.size());
+  return 0.5 * block * (sums.first + sums.second);
 }
 
 void model_variance(const TrainPower& train, const ModelClicks& clicks, Eigen::ArrayXd& v) {
@@ -29,17 +27,18 @@ void model_variance(const TrainPower& train, const ModelClicks& clicks, Eigen::A
 
 void update_powers(const Eigen::ArrayXd& q, const TrainPower& train, int sweeps, double clip,
                    ModelClicks& clicks) {
-  Eigen::ArrayXd v, inverse, slope;
+  Eigen::ArrayXd v, slope(q.size()), inverse(q.size());
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     model_variance(train, clicks, v);
-    inverse = v.inverse();
-    slope = (q * inverse).min(clip) * inverse;
-    const Eigen::ArrayXd ratio = (train.gather(slope) + 1e-30) / (train.gather(inverse) + 1e-30);
+    const PairOfSums all =
+        click_kernels().weigh(q.data(), v.data(), clip, q.size(), slope.data(), inverse.data());
+    const auto [slopes, inverses] = train.gather(slope, inverse);
+    const Eigen::ArrayXd ratio = (slopes + 1e-30) / (inverses + 1e-30);
     if (sweep == 0)
       clicks.power *= ratio;
     else
       clicks.power *= ratio.sqrt();
-    clicks.floor *= std::sqrt(slope.sum() / inverse.sum());
+    clicks.floor *= std::sqrt(all.first / all.second);
   }
 }
 

@@ -26,9 +26,6 @@ void model_variance(const TrainPower& train, const ModelClicks& clicks, Eigen::A
 /// sum of ln w + q / w: twice the negative log-likelihood per sample of a block. Thread: OFF.
 double divergence(const Eigen::Ref<const Eigen::ArrayXd>& q, const Eigen::Ref<const Eigen::ArrayXd>& w);
 
-/// sum of ln w, w > 0 within 1e-30 … 1e30. Thread: OFF.
-double log_sum(const Eigen::Ref<const Eigen::ArrayXd>& w);
-
 /// 1/2 block sum(ln v + min(q/v, kOutlierClip)): the negative log-likelihood. Thread: OFF.
 double model_cost(const Eigen::ArrayXd& q, const Eigen::ArrayXd& v, int block);
 

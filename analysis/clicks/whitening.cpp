@@ -3,8 +3,10 @@
 #include <unsupported/Eigen/FFT>
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
 
+#include "kernels/click_kernels.hpp"
 #include "numeric/quantile.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/dsp/linear_prediction.hpp"
@@ -65,22 +67,14 @@ Eigen::ArrayXd lpc_whitener(const std::vector<float>& x, int order) {
 }
 
 Eigen::ArrayXd whiten(const std::vector<float>& x, const Eigen::ArrayXd& A) {
-  const long size = static_cast<long>(x.size());
-  const Eigen::Map<const Eigen::ArrayXf> signal(x.data(), size);
-  Eigen::ArrayXd y(size);
-  // Blocks that stay in the first-level cache while every tap passes over them.
-  constexpr long kBlock = 2048;
-  for (long start = 0; start < size; start += kBlock) {
-    const long length = std::min(kBlock, size - start);
-    Eigen::ArrayXf block = Eigen::ArrayXf::Zero(length);
-    for (long k = 0; k < A.size(); ++k) {
-      const long skip = std::max(0L, k - start);
-      if (skip < length)
-        block.tail(length - skip) +=
-            static_cast<float>(A(k)) * signal.segment(start + skip - k, length - skip);
-    }
-    y.segment(start, length) = block.cast<double>();
-  }
+  const long size = static_cast<long>(x.size()), before = A.size() - 1;
+  const Eigen::ArrayXf taps = A.cast<float>();
+  std::vector<float> silence_first(static_cast<std::size_t>(before));
+  silence_first.insert(silence_first.end(), x.begin(), x.end());
+  Eigen::ArrayXf filtered(size);
+  click_kernels().filter(silence_first.data() + before, size, taps.data(), static_cast<int>(taps.size()),
+                         filtered.data());
+  const Eigen::ArrayXd y = filtered.cast<double>();
   return y / std::sqrt(std::max(y.square().mean(), 1e-30));
 }
 

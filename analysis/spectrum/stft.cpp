@@ -1,16 +1,23 @@
 #include "spectrum/stft.hpp"
 
-#include <unsupported/Eigen/FFT>
-
 #include <algorithm>
+
+#include "spectrum/frame_pair.hpp"
 
 namespace rigsound::analysis {
 namespace {
 
-Eigen::FFT<float> transform() {
-  Eigen::FFT<float> fft;
-  fft.SetFlag(Eigen::FFT<float>::HalfSpectrum);
-  return fft;
+constexpr long kSideBySide = 16;  // frames: a bin's course in time is written a cache line at a time
+
+/// Frame i of x under the window, zeros where there is none.
+void put_frame(const std::vector<float>& x, long i, const StftShape& shape, const Eigen::ArrayXf& window,
+               float* to) {
+  const long size = static_cast<long>(x.size()), start = i * shape.hop - shape.window / 2;
+  const long first = std::clamp(start, 0L, size), last = std::clamp(start + shape.window, first, size);
+  std::fill(to, to + shape.fft, 0.0f);
+  Eigen::Map<Eigen::ArrayXf>(to + (first - start), last - first) =
+      Eigen::Map<const Eigen::ArrayXf>(x.data() + first, last - first) *
+      window.segment(first - start, last - first);
 }
 
 }  // namespace
@@ -21,22 +28,20 @@ Eigen::ArrayXf hann(int length) {
 }
 
 Spectrogram stft(const std::vector<float>& x, const StftShape& shape) {
-  const long size = static_cast<long>(x.size());
-  const long frames = (size + shape.hop - 1) / shape.hop;
-  const Eigen::Map<const Eigen::ArrayXf> signal(x.data(), size);
+  const long frames = (static_cast<long>(x.size()) + shape.hop - 1) / shape.hop;
   const Eigen::ArrayXf window = hann(shape.window);
-  Eigen::FFT<float> fft = transform();
-  Eigen::VectorXf frame(shape.fft);
-  Eigen::VectorXcf bins(shape.bins());
-  Spectrogram X(shape.bins(), frames);
-  for (long i = 0; i < frames; ++i) {
-    const long start = i * shape.hop - shape.window / 2;
-    const long first = std::max(start, 0L), last = std::min(start + shape.window, size);
-    frame.setZero();
-    frame.segment(first - start, last - first) =
-        signal.segment(first, last - first) * window.segment(first - start, last - first);
-    fft.fwd(bins, frame);
-    X.col(i) = bins;
+  FramePair pair(shape.fft);
+  Spectrogram X(shape.bins(), frames), block(shape.bins(), kSideBySide);
+  for (long from = 0; from < frames; from += kSideBySide) {
+    const long here = std::min(kSideBySide, frames - from);
+    for (long i = 0; i < here; i += 2) {
+      put_frame(x, from + i, shape, window, pair.first());
+      put_frame(x, from + i + 1, shape, window, pair.second());
+      pair.forward();
+      for (int k = 0; k < shape.bins(); ++k)
+        block(k, i) = pair.first_bin(k), block(k, i + 1) = pair.second_bin(k);
+    }
+    X.middleCols(from, here) = block.leftCols(here);
   }
   return X;
 }
@@ -45,14 +50,18 @@ std::vector<float> inverse_stft(const Spectrogram& X, size_t length, const StftS
   const long margin = shape.window / 2, frames = X.cols();
   const Eigen::ArrayXf window = hann(shape.window), squared = window.square();
   Eigen::ArrayXf sum = Eigen::ArrayXf::Zero(frames * shape.hop + shape.window), weight = sum;
-  Eigen::FFT<float> fft = transform();
-  Eigen::VectorXf frame(shape.fft);
-  Eigen::VectorXcf bins(shape.bins());
-  for (long i = 0; i < frames; ++i) {
-    bins = X.col(i);
-    fft.inv(frame, bins, shape.fft);
-    sum.segment(i * shape.hop, shape.window) += frame.head(shape.window).array() * window;
+  FramePair pair(shape.fft);
+  const auto add = [&](long i, const float* frame) {
+    sum.segment(i * shape.hop, shape.window) +=
+        Eigen::Map<const Eigen::ArrayXf>(frame, shape.window) * window;
     weight.segment(i * shape.hop, shape.window) += squared;
+  };
+  for (long i = 0; i < frames; i += 2) {
+    const bool alone = i + 1 == frames;
+    for (int k = 0; k < shape.bins(); ++k) pair.set_bins(k, X(k, i), alone ? 0 : X(k, i + 1));
+    pair.inverse();
+    add(i, pair.first());
+    if (!alone) add(i + 1, pair.second());
   }
   sum /= weight.max(1e-3f * weight.maxCoeff());
   std::vector<float> y(length);

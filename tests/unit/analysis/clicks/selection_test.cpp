@@ -54,7 +54,7 @@ TEST_CASE("the best chain is the best of all subsets") {
       score.push_back(6 * noise.uniform() - 2);
     }
     const long length = t + 20;
-    const Chain chain = best_chain(time, score, 30, length);
+    const Chain chain = best_chain(time, score, GapCosts(30), length);
     double best = -1e9;
     for (unsigned subset = 1; subset < 1u << 11; ++subset)
       best = std::max(best, total_of(time, score, 30, length, subset));

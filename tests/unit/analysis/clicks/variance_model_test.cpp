@@ -70,16 +70,19 @@ TEST_CASE("gathering is the transpose of spreading") {
   TestNoise noise(61);
   const ModelClicks clicks = some_clicks();
   const TrainPower train(envelope_power(kModelShape, 8), clicks.onset, 400);
-  const Eigen::ArrayXd x = noise.normals(400);
+  const Eigen::ArrayXd x = noise.normals(400), y = noise.normals(400);
   Eigen::ArrayXd v;
   train.spread(clicks.power, 0, v);
-  CHECK((v * x).sum() == doctest::Approx((clicks.power * train.gather(x)).sum()));
+  const auto [of_x, of_y] = train.gather(x, y);
+  CHECK((v * x).sum() == doctest::Approx((clicks.power * of_x).sum()));
+  CHECK((v * y).sum() == doctest::Approx((clicks.power * of_y).sum()));
 }
 
-TEST_CASE("one logarithm for eight factors is the sum of their logarithms") {
+TEST_CASE("one logarithm for hundreds of factors is the sum of their logarithms") {
   TestNoise noise(62);
-  const Eigen::ArrayXd w = (5 * noise.normals(1003)).exp();
-  CHECK(log_sum(w) == doctest::Approx(w.log().sum()).epsilon(1e-12));
+  const Eigen::ArrayXd w = (5 * noise.normals(10003)).exp(), q = (5 * noise.normals(10003)).exp();
+  CHECK(divergence(q, w) == doctest::Approx((w.log() + q / w).sum()).epsilon(1e-12));
+  CHECK(model_cost(q, w, 2) == doctest::Approx((w.log() + (q / w).min(kOutlierClip)).sum()).epsilon(1e-12));
 }
 
 TEST_CASE("multiplicative sweeps never make the model less likely and find the powers") {

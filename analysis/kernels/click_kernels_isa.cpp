@@ -1,0 +1,130 @@
+// Built several times with RIGSOUND_ISA naming the instruction set the compiler may use. Must not include
+// anything with inline functions: their copies would be merged across instruction sets by the linker.
+#include "kernels/click_kernels.hpp"
+
+#include <math.h>
+
+namespace rigsound::analysis {
+namespace {
+
+constexpr int kWide = 8;
+using Wide = double __attribute__((vector_size(sizeof(double) * kWide)));
+using WideBits = long long __attribute__((vector_size(sizeof(long long) * kWide)));
+constexpr int kTaps = 16;  // floats side by side
+using Samples = float __attribute__((vector_size(sizeof(float) * kTaps)));
+
+constexpr long long kMantissa = 0xFFFFFFFFFFFFF, kOne = 0x3FF0000000000000;
+constexpr int kMantissaBits = 52, kExponentOfOne = 1023;
+constexpr long kMostFactors = 512;  // of 1 ... 2 within a double
+constexpr double kLn2 = 0.69314718055994531;
+
+template <class V, class T>
+inline V load(const T* p) {
+  V x;
+  __builtin_memcpy(&x, p, sizeof x);
+  return x;
+}
+
+template <class V, class T>
+inline void store(T* p, const V& x) {
+  __builtin_memcpy(p, &x, sizeof x);
+}
+
+inline double sum(const Wide& x) {
+  double total = 0;
+  for (int i = 0; i < kWide; ++i) total += x[i];
+  return total;
+}
+
+inline Wide at_most(double most, const Wide& x) {
+  const Wide limit = Wide{} + most;
+  return x < limit ? x : limit;
+}
+
+inline double at_most(double most, double x) { return x < most ? x : most; }
+
+void filter(const float* x, long size, const float* A, int taps, float* y) {
+  constexpr int kSideBySide = 8;
+  long n = 0;
+  for (; n + kSideBySide * kTaps <= size; n += kSideBySide * kTaps) {
+    Samples sums[kSideBySide] = {};
+    for (int k = 0; k < taps; ++k)
+      for (int j = 0; j < kSideBySide; ++j) sums[j] += A[k] * load<Samples>(x + n + j * kTaps - k);
+    for (int j = 0; j < kSideBySide; ++j) store(y + n + j * kTaps, sums[j]);
+  }
+  for (; n < size; ++n) {
+    float total = 0;
+    for (int k = 0; k < taps; ++k) total += A[k] * x[n - k];
+    y[n] = total;
+  }
+}
+
+void tail(double carried, const double* decay, double floor, long size, double* v) {
+  long n = 0;
+  for (; n + kWide <= size; n += kWide) store(v + n, floor + carried * load<Wide>(decay + n));
+  for (; n < size; ++n) v[n] = floor + carried * decay[n];
+}
+
+PairOfSums weigh(const double* q, const double* v, double clip, long size, double* slope, double* inverse) {
+  Wide slopes = {}, inverses = {};
+  long n = 0;
+  for (; n + kWide <= size; n += kWide) {
+    const Wide i = 1.0 / load<Wide>(v + n), s = at_most(clip, load<Wide>(q + n) * i) * i;
+    store(inverse + n, i), store(slope + n, s);
+    slopes += s, inverses += i;
+  }
+  PairOfSums sums{sum(slopes), sum(inverses)};
+  for (; n < size; ++n) {
+    inverse[n] = 1.0 / v[n], slope[n] = at_most(clip, q[n] * inverse[n]) * inverse[n];
+    sums.first += slope[n], sums.second += inverse[n];
+  }
+  return sums;
+}
+
+PairOfSums products(const double* a, const double* x, const double* y, long size) {
+  Wide first = {}, second = {};
+  long n = 0;
+  for (; n + kWide <= size; n += kWide) {
+    const Wide factor = load<Wide>(a + n);
+    first += factor * load<Wide>(x + n), second += factor * load<Wide>(y + n);
+  }
+  PairOfSums sums{sum(first), sum(second)};
+  for (; n < size; ++n) sums.first += a[n] * x[n], sums.second += a[n] * y[n];
+  return sums;
+}
+
+/// Mantissas multiplied, exponents added: one logarithm a lane for hundreds of values.
+PairOfSums divergence(const double* q, const double* v, double clip, long size) {
+  Wide quotients = {};
+  WideBits exponents = {};
+  PairOfSums sums;
+  long n = 0;
+  while (n + kWide <= size) {
+    Wide mantissas = Wide{} + 1.0;
+    for (long k = 0; k < kMostFactors && n + kWide <= size; ++k, n += kWide) {
+      const Wide x = load<Wide>(v + n);
+      const WideBits bits = (WideBits)x;
+      exponents += (bits >> kMantissaBits) - kExponentOfOne;
+      mantissas *= (Wide)((bits & kMantissa) | kOne);
+      quotients += at_most(clip, load<Wide>(q + n) / x);
+    }
+    for (int lane = 0; lane < kWide; ++lane) sums.first += log(mantissas[lane]);
+  }
+  for (int lane = 0; lane < kWide; ++lane) sums.first += kLn2 * static_cast<double>(exponents[lane]);
+  sums.second = sum(quotients);
+  for (; n < size; ++n) sums.first += log(v[n]), sums.second += at_most(clip, q[n] / v[n]);
+  return sums;
+}
+
+}  // namespace
+
+#define RIGSOUND_QUOTE(x) #x
+#define RIGSOUND_NAME(x) RIGSOUND_QUOTE(x)
+#define RIGSOUND_JOIN(a, b) a##b
+#define RIGSOUND_KERNELS(isa) RIGSOUND_JOIN(kClickKernels_, isa)
+
+extern const ClickKernels RIGSOUND_KERNELS(RIGSOUND_ISA);
+const ClickKernels RIGSOUND_KERNELS(RIGSOUND_ISA) = {
+    RIGSOUND_NAME(RIGSOUND_ISA), filter, tail, weigh, products, divergence};
+
+}  // namespace rigsound::analysis

@@ -1,0 +1,43 @@
+// Spectra of real frames, two for one complex transform.
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "rigsound/dsp/fft.hpp"
+
+namespace rigsound::analysis {
+
+/// One frame goes in as the real part, another as the imaginary part. Thread: OFF, one at a time.
+class FramePair {
+ public:
+  explicit FramePair(int size);  ///< samples, a power of two
+
+  int size() const { return fft_.size(); }
+
+  /// `size` samples each; forward() and inverse() write over them.
+  float* first() { return re_.data(); }
+  float* second() { return im_.data(); }
+
+  /// Spectra of both, not divided by the size.
+  void forward() { fft_.forward(re_.data(), im_.data()); }
+
+  /// Bin 0 ... size / 2 of each spectrum. Call after forward().
+  std::complex<float> first_bin(int k) const;
+  std::complex<float> second_bin(int k) const;
+  /// The sum of both squared magnitudes there.
+  float power(int k) const;
+
+  /// Sets bin 0 ... size / 2 of both; the imaginary parts of bins 0 and size / 2 count for nothing.
+  void set_bins(int k, std::complex<float> first, std::complex<float> second);
+  /// Both frames from their bins, divided by the size.
+  void inverse();
+
+ private:
+  int mirrored(int k) const { return (size() - k) & (size() - 1); }
+
+  dsp::Fft<float> fft_;
+  std::vector<float> re_, im_;
+};
+
+}  // namespace rigsound::analysis
