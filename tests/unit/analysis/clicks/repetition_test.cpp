@@ -37,7 +37,7 @@ double same_tone(int n, std::size_t) { return std::sin(0.13 * n) + std::sin(0.31
 }  // namespace
 
 TEST_CASE("what rings alike repeats, at even times, at uneven ones, and where onsets are a little off") {
-  const ClickTrain even = repeated_clicks(20), uneven = repeated_clicks(20, 400);
+  const ClickTrain even = repeated_clicks(20), uneven = repeated_clicks(20, 250);
   CHECK(repetition(ringing(even, same_tone), even) > 0.99);
   CHECK(repetition(ringing(uneven, same_tone), uneven) > 0.99);
   ClickTrain off = even;
