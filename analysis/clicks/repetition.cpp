@@ -20,11 +20,12 @@ constexpr float kSilence = 1e-20f;
 double best_correlation(const Eigen::Ref<const Eigen::ArrayXf>& x, long earlier, long later, long length,
                         long slack) {
   const auto first = x.segment(earlier, length).matrix();
-  float best = -1;
+  const float first_power = first.squaredNorm();
+  float second_power = x.segment(later - slack, length).square().sum(), best = -1;
   for (long at = later - slack; at <= later + slack; ++at) {
-    const auto second = x.segment(at, length).matrix();
-    const float power = first.squaredNorm() * second.squaredNorm();
-    best = std::max(best, first.dot(second) / std::sqrt(std::max(power, kSilence)));
+    const float power = std::max(first_power * second_power, kSilence);
+    best = std::max(best, first.dot(x.segment(at, length).matrix()) / std::sqrt(power));
+    if (at < later + slack) second_power += x(at + length) * x(at + length) - x(at) * x(at);
   }
   return best;
 }
