@@ -88,9 +88,10 @@ Factors final_factors(const PowerSpectrogram& power, const ClickTrain& clicks, d
   return cs_nmf(power, {{clicks, decays_around(clicks)}}, options);
 }
 
-SearchedClip searched(const ClickSearch& found, const ClickTrain& clicks, const PowerSpectrogram& power,
-                      const Grid& background_alone, const std::optional<Factors>& factors) {
-  return {found.y.size(), found.candidates, clicks, power, background_alone, factors ? &*factors : nullptr};
+SearchedClip searched(const std::vector<float>& x, const ClickSearch& found, const ClickTrain& clicks,
+                      const PowerSpectrogram& power, const Grid& background_alone,
+                      const std::optional<Factors>& factors) {
+  return {x, found.candidates, clicks, power, background_alone, factors ? &*factors : nullptr};
 }
 
 ClipMachine split_without_denoising(const std::vector<float>& x, const std::vector<Segment>& windows,
@@ -105,7 +106,7 @@ ClipMachine split_without_denoising(const std::vector<float>& x, const std::vect
   if (all.clicks.P.size() >= kFewestFitted) factors = rough_factors(power, all.clicks);
   all.drilling = x;
   all.verdict =
-      judge(windows, searched(found, all.clicks, power, left_by_background(power), factors), "only", dump);
+      judge(windows, searched(x, found, all.clicks, power, left_by_background(power), factors), "only", dump);
   return all;
 }
 
@@ -169,9 +170,9 @@ ClipMachine machine_of(const Spectrogram& X, const PsdPair& psd, std::vector<Jud
 }
 
 /// Each of the two judged as if the other were not there; nothing unless both drill.
-std::vector<ClipMachine> split_of_two(const std::vector<Segment>& windows, const Spectrogram& X,
-                                      const PowerSpectrogram& power, const TwoMachines& two,
-                                      std::size_t length, const Dump& dump) {
+std::vector<ClipMachine> split_of_two(const std::vector<float>& x, const std::vector<Segment>& windows,
+                                      const Spectrogram& X, const PowerSpectrogram& power,
+                                      const TwoMachines& two, const Dump& dump) {
   std::vector<ClipMachine> both;
   for (int k = 0; k < 2; ++k) {
     const FoundMachine& m = two.machine[k];
@@ -179,13 +180,12 @@ std::vector<ClipMachine> split_of_two(const std::vector<Segment>& windows, const
     const Factors own = drilling_of_train(two.factors, k), alone = without_other_words(own);
     dump_detection(dump, pass, m.found.y, m.found.candidates, m.clicks);
     const PowerSpectrogram rest = without_other_machine(power, own);
-    auto verdict = judge(
-        windows, {m.found.y.size(), m.found.candidates, m.clicks, rest, left_by_background(rest), &alone},
-        pass, dump);
+    auto verdict =
+        judge(windows, {x, m.found.candidates, m.clicks, rest, left_by_background(rest), &alone}, pass, dump);
     if (!drills(verdict) || m.clicks.P.size() < kFewestDrillingClicks) return {};
     const PsdPair psd = modelled_psd(own, power);
-    dump_split(dump, pass, X, psd, length);
-    both.push_back(machine_of(X, psd, std::move(verdict), m.clicks, length));
+    dump_split(dump, pass, X, psd, x.size());
+    both.push_back(machine_of(X, psd, std::move(verdict), m.clicks, x.size()));
   }
   return both;
 }
@@ -209,8 +209,8 @@ std::vector<ClipMachine> split_by_click_nmf(const std::vector<float>& x, const s
   Pass pass = first_pass(start.found, power, dump);
   const Grid background_alone = left_by_background(power);
   const auto judged = [&] {
-    return judge(windows, searched(pass.found, pass.clicks, power, background_alone, pass.factors), "pass2",
-                 dump);
+    return judge(windows, searched(x, pass.found, pass.clicks, power, background_alone, pass.factors),
+                 "pass2", dump);
   };
   std::vector<JudgedWindow> verdict;
   if (!options.labelled) verdict = judged();
@@ -223,7 +223,7 @@ std::vector<ClipMachine> split_by_click_nmf(const std::vector<float>& x, const s
   if (may_drill) verdict = judged();
   if (drills(verdict))
     if (const auto two = find_second_machine(x, start.found.y, power, pass.clicks))
-      if (auto both = split_of_two(windows, X, power, *two, x.size(), dump); !both.empty()) return both;
+      if (auto both = split_of_two(x, windows, X, power, *two, dump); !both.empty()) return both;
   const bool by_clicks = pass.factors && (options.labelled || drills(verdict));
   const PsdPair psd = by_clicks ? modelled_psd(*pass.factors, power) : start.blind;
   dump_split(dump, "pass2", X, psd, x.size());

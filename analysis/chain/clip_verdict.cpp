@@ -6,6 +6,7 @@
 #include "clicks/click_likeness.hpp"
 #include "clicks/drilling_test.hpp"
 #include "clicks/gaps.hpp"
+#include "clicks/repetition.hpp"
 #include "clicks/rhythm.hpp"
 #include "clicks/selection.hpp"
 #include "denoise/cs_nmf.hpp"
@@ -34,7 +35,7 @@ const Selection& clearer(const Selection& own, const Selection& of_clip) {
 
 /// Of one window alone, as far as the clip holds it.
 DrillingEvidence evidence_in(const Segment& whole, const SearchedClip& clip, const Grid& with_clicks) {
-  const Segment window{std::max(0L, whole.begin), std::min(clip.length, whole.end)};
+  const Segment window{std::max(0L, whole.begin), std::min(static_cast<long>(clip.x.size()), whole.end)};
   DrillingEvidence e;
   e.clicks = clicks_in(window, clip.clicks);
   if (e.clicks.P.size() < kFewestFitted) return e;
@@ -45,9 +46,11 @@ DrillingEvidence evidence_in(const Segment& whole, const SearchedClip& clip, con
               select_at_period(candidates, clip.clicks.mean_gap_samples / kCandidateBlock));
   e.total = chain.total;
   e.surplus = chain.surplus;
-  e.fast_total = fast_total(candidates);
+  e.fast_total = fast_total(candidates, e.clicks);
   e.irregularity = irregularity(e.clicks);
   e.strength_rhythm = strength_rhythm(e.clicks.beta, {e.clicks.P.begin(), e.clicks.P.end()});
+  const Eigen::Map<const Eigen::ArrayXf> x(clip.x.data(), static_cast<long>(clip.x.size()));
+  e.repetition = repetition(x.segment(window.begin, window.end - window.begin), e.clicks);
   const int first = static_cast<int>(window.begin / kChainStft.hop),
             last = std::min(static_cast<int>(window.end / kChainStft.hop) + 1, clip.power.frames);
   const PowerSpectrogram power = frames_between(clip.power, first, last);
@@ -61,7 +64,7 @@ DrillingEvidence evidence_in(const Segment& whole, const SearchedClip& clip, con
 constexpr char kEvidenceHeader[] =
     "begin_s,end_s,probability,clicks,total,chance_surplus,fast_total,gap_irregularity,likeness,band_rise,"
     "bar_rhythm,strength_rhythm,background_alone,with_clicks,rate,swell,surplus,pulses,dispersion,rise,"
-    "rhythm,irregularity,unexplained";
+    "rhythm,irregularity,unexplained,repetition,waveform_repetition";
 
 /// Figures and, by their names, the weights against drilling that come of them.
 std::vector<double> evidence_row(const JudgedWindow& judged, const DrillingEvidence& e) {
@@ -81,6 +84,7 @@ std::vector<double> evidence_row(const JudgedWindow& judged, const DrillingEvide
                              e.with_clicks};
   const auto weights = objection_weights(e);
   row.insert(row.end(), weights.begin(), weights.end());
+  row.push_back(e.repetition);
   return row;
 }
 

@@ -23,7 +23,7 @@ bool drills(const std::vector<JudgedWindow>& verdict);
 
 /// What the search for clicks leaves.
 struct SearchedClip {
-  long length = 0;  ///< samples
+  const std::vector<float>& x;  ///< as recorded
   const Candidates& candidates;
   const ClickTrain& clicks;
   const PowerSpectrogram& power;

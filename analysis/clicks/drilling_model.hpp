@@ -6,24 +6,25 @@
 
 namespace rigsound::analysis {
 
-constexpr std::size_t kObjections = 9;
+constexpr std::size_t kObjections = 10;
 
 /// ln(p / (1 - p)) = kBias - sum of coefficient times weight (clicks/drilling_test), a weight being at most
 /// kMostWeight. tests/bench/verdict trains them on the weights that --dump writes.
 constexpr double kMostWeight = 3;
 
 // made by tests/bench/verdict
-constexpr double kBias = 3.71;
+constexpr double kBias = 4.96;
 constexpr std::array<double, kObjections> kCoefficients = {
-    0.58,  // rate
-    3.67,  // swell
-    3.67,  // surplus
-    2.05,  // pulses
-    5.31,  // dispersion
-    5.19,  // rise
-    7.23,  // rhythm
-    3.06,  // irregularity
-    1.55,  // unexplained
+    1.08,  // rate
+    4.08,  // swell
+    5.31,  // surplus
+    2.10,  // pulses
+    5.39,  // dispersion
+    2.61,  // rise
+    3.22,  // rhythm
+    4.73,  // irregularity
+    2.10,  // unexplained
+    4.80,  // repetition
 };
 // end
 

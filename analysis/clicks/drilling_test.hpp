@@ -23,6 +23,7 @@ struct DrillingEvidence {
   double fast_total = 0;       ///< of the best chain faster than any drill
   double irregularity = 0;     ///< median of |ln(gap / median gap)|
   double strength_rhythm = 0;  ///< of the clicks, see strength_rhythm()
+  double repetition = 0;       ///< of the waveform, see repetition()
   ClickLikeness likeness;
   double background_alone = 0;  ///< divergence per cell that a slow background leaves
   double with_clicks = 0;       ///< divergence per cell with the click train's words
@@ -31,7 +32,8 @@ struct DrillingEvidence {
 /// The probability that it is drilling: logistic in what its figures say against it. 0 for fewer than
 /// kFewestFitted clicks. Noise has clicks no better than chance finds; a swell (a rotary drill, an idling
 /// diesel) has no sharp rise; a voice or an instrument pulses faster than a drill or is not explained by one
-/// click repeated; the notes and drums of music differ from one another, follow bars or keep no period.
+/// click repeated; the notes and drums of music differ from one another, follow bars or keep no period; a
+/// voice, an engine and stick-slip repeat their waveform.
 /// Thread: OFF.
 double drilling_probability(const DrillingEvidence& evidence);
 
@@ -45,8 +47,9 @@ std::string objections_to(const DrillingEvidence& evidence);
 /// DrillingEvidence::irregularity of at least three clicks. Thread: OFF.
 double irregularity(const ClickTrain& clicks);
 
-/// Total of the best chain at 130 to 400 Hz. Thread: OFF.
-double fast_total(const Candidates& candidates);
+/// Total of the best chain at 130 to 400 Hz; 0 where that is the chain of `clicks` itself, of a drifter that
+/// strikes nearly as fast. Thread: OFF.
+double fast_total(const Candidates& candidates, const ClickTrain& clicks);
 
 /// 1 in the frames of kChainStft from half a period before a click to two periods after, 0 elsewhere: pauses
 /// say nothing about the clicks. Thread: OFF.

@@ -17,7 +17,7 @@ struct Power {
   double over_chance() const { return found / chance; }
 };
 
-Power power_of(const Orders& orders, std::size_t first, std::size_t step) {
+Power power_of_orders(const Orders& orders, std::size_t first, std::size_t step) {
   Power p;
   for (std::size_t k = first; k <= orders.C.size(); k += step)
     p.found += std::norm(orders.C[k - 1]), p.chance += orders.noise[k - 1];
@@ -33,8 +33,8 @@ Alternation alternation_of(const Section& section) {
   const Orders one = orders_of(block, 0, block.cycles, last);
   block.N *= 2, block.cycles /= 2;
   const Orders two = orders_of(block, 0, block.cycles, 2 * last);
-  return {power_of(one, 1, 2).over_chance(), power_of(one, 2, 4).over_chance(),
-          power_of(two, 1, 2).over_chance()};
+  return {power_of_orders(one, 1, 2).over_chance(), power_of_orders(one, 2, 4).over_chance(),
+          power_of_orders(two, 1, 2).over_chance()};
 }
 
 }  // namespace rigsound::analysis

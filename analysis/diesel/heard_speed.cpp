@@ -14,7 +14,7 @@ namespace rigsound::analysis {
 namespace {
 
 constexpr int kDecimation = 16, kLongestWindow = 16384;  // 3 kHz, 5.5 s
-constexpr double kLowestOrder_hz = 12, kHighestOrder_hz = 300;
+constexpr double kLowestOrderHeard_hz = 12, kHighestOrderHeard_hz = 300;
 constexpr double kFloorWidth_hz = 8, kFloorPart = 0.4;
 constexpr double kSpeedWander = 0.002, kSpeedStep = 0.0008;  // relative
 constexpr double kOrderCost = 0.8, kMostOfOrder = 4;         // nepers of power
@@ -45,7 +45,7 @@ Prominence prominence_of(const std::vector<double>& x) {
   const std::vector<double> power = mean_power(x, p.bin_hz);
   const auto reach = static_cast<std::ptrdiff_t>(std::lround(kFloorWidth_hz / p.bin_hz / 2));
   const auto size = static_cast<std::ptrdiff_t>(
-      std::min(power.size(), static_cast<std::size_t>(1.1 * kHighestOrder_hz / p.bin_hz)));
+      std::min(power.size(), static_cast<std::size_t>(1.1 * kHighestOrderHeard_hz / p.bin_hz)));
   for (std::ptrdiff_t b = 0; b < size; ++b) {
     const std::vector<double> around(power.begin() + std::max<std::ptrdiff_t>(0, b - reach),
                                      power.begin() + std::min(size, b + reach + 1));
@@ -58,8 +58,8 @@ Prominence prominence_of(const std::vector<double>& x) {
 /// What speaks for a cycle of that many hertz.
 double evidence(const Prominence& p, double f0) {
   double sum = 0;
-  for (int k = std::max(1, static_cast<int>(std::ceil(kLowestOrder_hz / f0))); k * f0 <= kHighestOrder_hz;
-       ++k) {
+  for (int k = std::max(1, static_cast<int>(std::ceil(kLowestOrderHeard_hz / f0)));
+       k * f0 <= kHighestOrderHeard_hz; ++k) {
     const auto at = std::lround(k * f0 / p.bin_hz);
     const auto reach = std::max(1L, std::lround(kSpeedWander * k * f0 / p.bin_hz));
     const auto end = std::min<std::ptrdiff_t>(at + reach + 1, static_cast<std::ptrdiff_t>(p.of.size()));

@@ -19,8 +19,8 @@ constexpr std::uint64_t kDieselSeed = 77;
 using Wave = std::vector<double>;
 
 /// What makes this diesel this one: cylinders and ticks differ, always in the same way.
-struct Machine {
-  Machine() {
+struct SimulatedDiesel {
+  SimulatedDiesel() {
     SplitMix draw(kDieselSeed);
     for (double& g : strength) g = 1 + 0.15 * draw.normal();
     for (double& t : timing) t = 0.8 * kDegree * draw.normal();
@@ -87,7 +87,8 @@ struct Combustion {
   Wave pulses, bursts;
 };
 
-Combustion combustion(const DieselRun& run, const Machine& machine, const Wave& theta, SplitMix& draw) {
+Combustion combustion(const DieselRun& run, const SimulatedDiesel& machine, const Wave& theta,
+                      SplitMix& draw) {
   Combustion c{Wave(theta.size()), Wave(theta.size())};
   const auto first = static_cast<long>(std::floor(theta.front() * kCylinders)) - 2;
   const auto last = static_cast<long>(std::ceil(theta.back() * kCylinders)) + 1;
@@ -114,7 +115,7 @@ Combustion combustion(const DieselRun& run, const Machine& machine, const Wave& 
   return c;
 }
 
-void add_ticks(const Machine& machine, const Wave& theta, SplitMix& draw, double gain, Wave& x) {
+void add_ticks(const SimulatedDiesel& machine, const Wave& theta, SplitMix& draw, double gain, Wave& x) {
   for (int j = 0; j < kTicks; ++j)
     for (auto cycle = static_cast<long>(theta.front()) - 1; cycle <= static_cast<long>(theta.back());
          ++cycle) {
@@ -149,7 +150,7 @@ void add_lines(const Wave& theta, SplitMix& draw, Wave& x) {
 }  // namespace
 
 DieselRecording simulate_diesel(const DieselRun& run) {
-  static const Machine machine;
+  static const SimulatedDiesel machine;
   SplitMix draw(run.seed);
   DieselRecording recording;
   recording.theta = crank_angle(run, draw, recording.rpm);

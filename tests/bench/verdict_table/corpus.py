@@ -30,9 +30,8 @@ def drillbench(folder, binary):
                     '--snr=' + ','.join('%g' % snr for snr in SNRS)], check=True, capture_output=True)
     for path in glob.glob(os.path.join(made, 'c*.wav')):
         clip, what = os.path.basename(path)[:-4].split('_')
-        if what != 'clean':
-            name = 'background' if what == 'bg' else 'drillbench at %s dB' % what
-            save(folder, (name, clip, 0, what != 'bg'), wavfile.read(path)[1].astype(float))
+        name = {'bg': 'background', 'clean': 'drillbench, clean'}.get(what, 'drillbench at %s dB' % what)
+        save(folder, (name, clip, 0, what != 'bg'), wavfile.read(path)[1].astype(float))
 
 
 def situations(folder, binary):

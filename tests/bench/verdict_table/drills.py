@@ -60,6 +60,14 @@ def double(stream):
     return before(stream, level(coloured(stream, pulses(stream, both, decaying(30)))), diesel(stream), 6)
 
 
+def gliding(stream):
+    """Spinning up or down by a third to two thirds within the clip, irregular as ever."""
+    rate = any_rate(stream, 20, 40) * (1 + stream.uniform(.15, .3) * stream.choice([-1, 1]) * np.linspace(-1, 1, LENGTH))
+    at = np.flatnonzero(np.diff(np.floor(np.cumsum(rate) / RATE))) / RATE
+    at = np.sort(at + .04 * stream.standard_normal(len(at)) / 30)
+    return before(stream, level(coloured(stream, pulses(stream, at[(at > 0) & (at < 1.99)], decaying(30)))), diesel(stream), 6)
+
+
 def burst(stream):
     at = times(stream, any_rate(stream, 20, 45))
     at = at[(at > .3) & (at < 1.3)]
@@ -88,6 +96,6 @@ def dull(stream):
 KINDS = {
     'drill 0 dB': plain(14, 48, 0), 'drill 6 dB': plain(14, 48, 6), 'breaker 3-8 Hz': plain(3.2, 8, 6),
     'drifter 60-120 Hz': plain(60, 118, 6), 'swelling clicks': plain(14, 40, 3, swelling), 'two decays': plain(14, 48, 0, two_decays),
-    'modal 150-900 Hz': modal, 'cabin': in_a_room(.15), 'tunnel': in_a_room(1), 'double impacts': double, 'burst': burst,
+    'modal 150-900 Hz': modal, 'cabin': in_a_room(.15), 'tunnel': in_a_room(1), 'double impacts': double, 'gliding': gliding, 'burst': burst,
     'stones': among_stones, 'talk': beside_talk, 'clipped': clipped, 'dull': dull,
 }

@@ -1,8 +1,13 @@
-"""Logistic regression whose coefficients are never negative: every figure speaks against drilling."""
+"""Logistic regression whose coefficients are never negative: every figure speaks against drilling.
+
+All but the first, the rate, are at least LEAST: far out, a figure alone is reason enough, though others may have spoken
+against all that the corpus holds of its kind. A slow breaker is a drill.
+"""
 import numpy as np
 
 PENALTY = 0.002  # of the squared coefficients: far-out clips alone do not decide
-DRILLS = 3  # to lose what somebody recorded costs more than to look into what is none
+DRILLS = 2  # to lose what somebody recorded costs more than to look into what is none
+LEAST = 2.1  # of coefficients: times kMostWeight it is more than the bias
 FOLDS = 10
 
 
@@ -18,7 +23,7 @@ def trained(features, drilling, rounds=4000):
         error = weight * (1 / (1 + np.exp(-np.clip(logit, -50, 50))) - target)
         gradient = np.concatenate([[error.sum()], -features.T @ error + PENALTY / len(momentum) * momentum[1:]])
         parameters = momentum - gradient / scale
-        parameters[1:] = np.maximum(parameters[1:], 0)
+        parameters[1:] = np.maximum(parameters[1:], [0] + [LEAST] * (features.shape[1] - 1))
         momentum = parameters + k / (k + 3) * (parameters - before)
         before = parameters.copy()
     return parameters[0], parameters[1:]

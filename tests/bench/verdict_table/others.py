@@ -50,6 +50,14 @@ def tune(stream):
     return level(sum(np.sin(2 * np.pi * k * np.cumsum(hz) / RATE) / k * np.exp(-6 * age * k ** .5) for k in range(1, 9)) + .003 * hiss(stream))
 
 
+def humming(stream):
+    """Harmonics of the mains, or of a fan or a saw, under some hiss."""
+    t, hz = np.arange(LENGTH) / RATE, stream.uniform(30, 120)
+    hum = sum(np.exp(.7 * stream.standard_normal()) / k ** stream.uniform(.3, 1) * np.sin(2 * np.pi * hz * k * t + stream.uniform(0, 6.28))
+              for k in range(1, 30))
+    return level(level(hum) + stream.uniform(.02, .3) * hiss(stream))
+
+
 def vowel(stream):
     """A voice that hardly moves: a pulse of two formants at every period of 90 to 240 Hz."""
     t = np.arange(LENGTH) / RATE
@@ -64,5 +72,5 @@ def vowel(stream):
 KINDS = {
     'noise': lambda stream: level(coloured(stream, stream.standard_normal(LENGTH))), 'diesel': diesel, 'voice': lambda stream: talk(stream) + .01 * hiss(stream),
     **{'idling %d' % k: idling for k in range(1, 7)}, 'creak 1': creaking, 'creak 2': creaking, 'rotary drill': rotary,
-    'falling stones': rain_of_stones, 'tune': tune, **{'vowel %d' % k: vowel for k in range(1, 4)},
+    'falling stones': rain_of_stones, 'tune': tune, 'hum 1': humming, 'hum 2': humming, **{'vowel %d' % k: vowel for k in range(1, 4)},
 }

@@ -6,7 +6,7 @@ import shutil
 import subprocess
 import tempfile
 
-FEATURES = ('rate', 'swell', 'surplus', 'pulses', 'dispersion', 'rise', 'rhythm', 'irregularity', 'unexplained')
+FEATURES = ('rate', 'swell', 'surplus', 'pulses', 'dispersion', 'rise', 'rhythm', 'irregularity', 'unexplained', 'repetition')
 
 
 def features_of(binary, path):

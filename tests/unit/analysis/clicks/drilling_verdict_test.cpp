@@ -7,7 +7,10 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <utility>
 
+#include "analysis/noise.hpp"
+#include "clicks/candidates.hpp"
 #include "rigsound/analysis/chain.hpp"
 #include "spectrum/power_spectrogram.hpp"
 
@@ -77,6 +80,8 @@ TEST_CASE("each figure alone is reason enough when it is far out") {
         "its gaps differ by 50 %");
   CHECK(reason_after([](DrillingEvidence& e) { e.with_clicks = e.background_alone - 0.06; }) ==
         "a repeated click explains 20 % of its changes");
+  CHECK(reason_after([](DrillingEvidence& e) { e.repetition = 0.95, e.likeness.rise = 0.7; }) ==
+        "its waveform comes again and again, like that of a voice, an engine or a creak");
 }
 
 TEST_CASE("a slow breaker is a drill, if a less likely one") {
@@ -91,6 +96,38 @@ TEST_CASE("a steep rise or a long period excuses a long attack") {
   CHECK(!refused([](DrillingEvidence& e) { e.clicks.envelope.attack_samples = 350, e.likeness.rise = 2.9; }));
   CHECK(!refused(
       [](DrillingEvidence& e) { e.clicks.envelope.attack_samples = 350, e.clicks.mean_gap_samples = 3500; }));
+}
+
+TEST_CASE("a waveform that repeats speaks against what hardly rises and what slips at uneven times") {
+  const auto copies = [](DrillingEvidence& e) {
+    e.repetition = 0.99, e.irregularity = 0, e.likeness.rise = 2.5;
+  };
+  CHECK(!refused(copies));
+  CHECK(refused([&](DrillingEvidence& e) { copies(e), e.likeness.rise = 0.9; }));
+  CHECK(refused([&](DrillingEvidence& e) { copies(e), e.irregularity = 0.09; }));
+  CHECK(!refused(
+      [](DrillingEvidence& e) { e.repetition = 0.6, e.likeness.rise = 0.9, e.irregularity = 0.09; }));
+}
+
+TEST_CASE("pulses that are a fast drifter's own clicks are not held against it") {
+  TestNoise draw(1);
+  const auto pulsing_at = [&](double hz) {
+    Eigen::ArrayXd y = 0.05 * draw.normals(96000);
+    ClickTrain clicks;
+    for (double t = 400; t < 95000; t += 48000 / hz) {
+      clicks.P.push_back(static_cast<int>(t));
+      for (int n = 0; n < 200; ++n) y(static_cast<long>(t) + n) += std::exp(-n / 60.0) * draw.normal();
+    }
+    clicks.mean_gap_samples = 48000 / hz;
+    return std::pair{find_candidates(y), clicks};
+  };
+  const auto [fast, of_fast] = pulsing_at(118);
+  CHECK(fast_total(fast, of_fast) == 0);
+  ClickTrain every_other = of_fast;
+  every_other.mean_gap_samples *= 2;
+  CHECK(fast_total(fast, every_other) > 100);
+  const auto [voice, of_voice] = pulsing_at(150);
+  CHECK(fast_total(voice, of_voice) > 100);
 }
 
 TEST_CASE("objections add up, and the reason names those that count") {
