@@ -16,7 +16,7 @@ struct TrainWords {
 };
 
 struct CsNmfOptions {
-  int rounds = 7;  ///< of kFastUpdates multiplicative updates of W
+  int iterations = 225;  ///< multiplicative updates of W
   float noise_start =
       0.05f;            ///< of the 20 % quantile's noise level; low, or a loud drill leaks into the noise
   float slow_cost = 0;  ///< 0...1; of decays of 0.4 of the train's own and below, none from 0.8 of it on
