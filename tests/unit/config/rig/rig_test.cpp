@@ -119,7 +119,7 @@ TEST_CASE("every key of demo.toml is refused when it is misspelt") {
     wrong.insert(static_cast<std::size_t>(it->position(2) + it->length(2)), "q");
     const std::string said = refusal(wrong);
     INFO(it->str(2), ": ", said);
-    CHECK(said.rfind(":", 0) == 0);  // FILE:LINE
+    CHECK(said.rfind(':', 0) == 0);  // FILE:LINE
     CHECK(said.find(it->str(2) + "q") != std::string::npos);
     ++tried;
   }
