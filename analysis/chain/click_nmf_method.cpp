@@ -26,8 +26,10 @@ constexpr double kHopeless = 0.3, kClear = 1;
 // Probability of the rough clicks' best window. Of 130 drills, 32 of them at -6 dB, none was below 5e-4; of
 // 187 other sounds four in five are below this.
 constexpr double kPromising = 1e-4;
-constexpr double kSlowCost = 0.06;    // times the squared share of noise, chosen on ids 100-131
-constexpr int kRoughIterations = 90;  // of step 6, where its result only guides the next search
+constexpr double kSlowCost = 0.06;  // times the squared share of noise, chosen on ids 100-131
+// Of step 6, where its result only guides the next search. Plain: at -6 dB the envelope that is fitted then
+// may be either of two, and which one follows from how far each word has come.
+constexpr int kRoughUpdates = 90;
 
 /// Of all power.
 double noise_share(const MeanPsd& psd) { return psd.N.sum() / (psd.S.sum() + psd.N.sum()); }
@@ -76,7 +78,7 @@ ClickTrain fit(const ClickSearch& found, FitEffort effort, const std::string& pa
 
 Factors rough_factors(const PowerSpectrogram& power, const ClickTrain& clicks) {
   CsNmfOptions options;
-  options.iterations = kRoughIterations;
+  options.updates = plain_updates(kRoughUpdates);
   return cs_nmf(power, {{clicks, kUsualDecays}}, options);
 }
 

@@ -11,7 +11,7 @@ namespace rigsound::analysis {
 namespace {
 
 constexpr double kSecondsPerKnot = 2;
-constexpr int kBackgroundIterations = 30;
+constexpr int kBackgroundUpdates = 30;
 constexpr double kDearest = 0.4, kCostless = 0.8;  // decays, of the train's own
 constexpr double kShallow = 15, kDeep = 25;        // dB that the train falls by from click to click
 
@@ -53,14 +53,13 @@ Factors cs_nmf(const PowerSpectrogram& power, const std::vector<TrainWords>& tra
   f.W = Grid(power.bins(), words);
   const Eigen::ArrayXf noise = noise_level(power, options.noise_start);
   const std::vector<float> cost = word_costs(trains, options.slow_cost, words);
-  const Activations H{f.H.data(), words, power.padded(), cost.data()};
   for (int m = 0; m < power.bins(); ++m) {
     const float mean = power.P.row(m).head(power.frames).mean();
     f.W.row(m).head(f.signal_words) =
         std::max(mean - noise(m), 0.1f * mean) / static_cast<float>(f.signal_words);
     f.W.row(m).tail(knots) = noise(m);
-    is_kernels().fit_bin(power.P.row(m).data(), H, f.W.row(m).data(), options.iterations, 1.0f, kWordFloor);
   }
+  WordFit(power).update(options.updates, cost.data(), f);
   return f;
 }
 
@@ -80,12 +79,8 @@ Factors background_nmf(const PowerSpectrogram& power) {
   Factors f;
   f.H = hats(knots, power.frames, power.padded());
   f.W = Grid(power.bins(), knots);
-  const Activations H{f.H.data(), knots, power.padded()};
-  for (int m = 0; m < power.bins(); ++m) {
-    f.W.row(m) = power.P.row(m).head(power.frames).mean();
-    is_kernels().fit_bin(power.P.row(m).data(), H, f.W.row(m).data(), kBackgroundIterations, 1.0f,
-                         kWordFloor);
-  }
+  for (int m = 0; m < power.bins(); ++m) f.W.row(m) = power.P.row(m).head(power.frames).mean();
+  WordFit(power).update(plain_updates(kBackgroundUpdates), nullptr, f);
   return f;
 }
 

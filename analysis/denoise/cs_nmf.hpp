@@ -5,6 +5,7 @@
 
 #include "denoise/click_activations.hpp"
 #include "denoise/factors.hpp"
+#include "denoise/word_fit.hpp"
 #include "rigsound/analysis/click_train.hpp"
 
 namespace rigsound::analysis {
@@ -16,7 +17,7 @@ struct TrainWords {
 };
 
 struct CsNmfOptions {
-  int iterations = 225;  ///< multiplicative updates of W
+  Updates updates = fast_updates(7);  ///< of W
   float noise_start =
       0.05f;            ///< of the 20 % quantile's noise level; low, or a loud drill leaks into the noise
   float slow_cost = 0;  ///< 0...1; of decays of 0.4 of the train's own and below, none from 0.8 of it on

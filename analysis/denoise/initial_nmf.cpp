@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include "denoise/word_fit.hpp"
 #include "kernels/is_kernels.hpp"
 
 namespace rigsound::analysis {
@@ -51,12 +52,6 @@ void update_activations(const PowerSpectrogram& power, float exponent, Factors& 
   learned = learned.max(kActivationFloor);
 }
 
-void update_words(const PowerSpectrogram& power, float exponent, Factors& f) {
-  const Activations H{f.H.data(), static_cast<int>(f.H.rows()), power.padded()};
-  for (int m = 0; m < power.bins(); ++m)
-    is_kernels().fit_bin(power.P.row(m).data(), H, f.W.row(m).data(), 1, exponent, kWordFloor);
-}
-
 void normalise_words(Factors& f) {
   for (int k = 0; k < f.signal_words; ++k) {
     const float sum = f.W.col(k).sum();
@@ -69,9 +64,10 @@ void normalise_words(Factors& f) {
 
 Factors initial_nmf(const PowerSpectrogram& power, const InitialNmfOptions& options) {
   Factors f = random_start(power, options);
+  const WordFit words(power);
   for (int i = 0; i < options.iterations; ++i) {
     update_activations(power, options.exponent, f);
-    update_words(power, options.exponent, f);
+    words.update({&options.exponent, 1, 1}, nullptr, f);
     normalise_words(f);
   }
   return f;

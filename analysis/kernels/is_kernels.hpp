@@ -5,24 +5,38 @@
 
 namespace rigsound::analysis {
 
-constexpr int kLanes = 16;     ///< floats per step; rows are padded with zeros to a multiple
-constexpr int kMaxWords = 16;  ///< largest K
+constexpr int kLanes = 16;         ///< floats per step; rows are padded with zeros to a multiple
+constexpr int kMaxWords = 16;      ///< largest K
+constexpr float kLargestStep = 8;  ///< of one update whose exponent is above 1
 
 /// `words` rows of H, each `frames` long (a multiple of kLanes), one after another.
 struct Activations {
   const float* H = nullptr;
   int words = 0;
   int frames = 0;
-  const float* cost = nullptr;  ///< of each word: fit_bin multiplies its denominator by it; null: 1
+  const float* cost = nullptr;  ///< of each word: fit_bins multiplies its denominator by it; null: 1
+};
+
+/// Neighbouring bins of a power spectrogram, side by side, and the powers of their words.
+struct BinGroup {
+  const float* P = nullptr;  ///< frames x kLanes
+  int frames = 0;            ///< as many of H's columns count
+  float* W = nullptr;        ///< rows of as many floats as there are words, one after another
+  int count = 0;             ///< rows of W, 1 ... kLanes
+};
+
+/// Multiplicative updates: the exponent of update i is exponents[i % period], a power of two or below 1.
+struct Updates {
+  const float* exponents = nullptr;
+  int period = 0, count = 0;
 };
 
 struct IsKernels {
   const char* name;  ///< instruction set, for reports
 
-  /// `iterations` multiplicative updates w_k *= (sum_n P h_k / L^2 / sum_n h_k / L)^exponent, L = w H, of the
-  /// words' powers in one bin, never below `floor`. P: the bin's power in each frame.
-  void (*fit_bin)(const float* P, const Activations& H, float* w, int iterations, float exponent,
-                  float floor);
+  /// Updates w_k *= (sum_n P h_k / L^2 / sum_n h_k / L)^exponent, L = w H, of the words' powers in several
+  /// bins, never below `floor`; with an exponent above 1 by kLargestStep at most.
+  void (*fit_bins)(const BinGroup& bins, const Activations& H, const Updates& updates, float floor);
 
   /// Adds one bin's share to the sums of the activation update, for the first `updated` rows of H:
   /// numerator(k, n) += w_k P / L^2, denominator(k, n) += w_k / L.

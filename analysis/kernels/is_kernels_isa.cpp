@@ -17,12 +17,6 @@ inline Lanes load(const float* p) {
 
 inline void store(float* p, const Lanes& x) { __builtin_memcpy(p, &x, sizeof x); }
 
-inline float sum(const Lanes& x) {
-  float total = 0;
-  for (int i = 0; i < kLanes; ++i) total += x[i];
-  return total;
-}
-
 template <int K>
 inline Lanes inverse_model(const Activations& H, const float* w, int n) {
   Lanes L = w[0] * load(H.H + n);
@@ -33,25 +27,51 @@ inline Lanes inverse_model(const Activations& H, const float* w, int n) {
   return 1.0f / L;
 }
 
+inline Lanes between(float least, float most, Lanes x) {
+  const Lanes low = Lanes{} + least, high = Lanes{} + most;
+  x = x > low ? x : low;
+  return x < high ? x : high;
+}
+
+/// ratio^exponent; large exponents start where words are far off.
+inline Lanes update_factor(Lanes ratio, float exponent) {
+  for (; exponent > 1; exponent /= 2) ratio = between(1 / kLargestStep, kLargestStep, ratio * ratio);
+  if (exponent < 1)
+    for (int lane = 0; lane < kLanes; ++lane) ratio[lane] = powf(ratio[lane], exponent);
+  return ratio;
+}
+
 template <int K>
-void fit_bin(const float* P, const Activations& H, float* w, int iterations, float exponent, float floor) {
-  for (int i = 0; i < iterations; ++i) {
-    Lanes numerator[K] = {}, denominator[K] = {};
-    for (int n = 0; n < H.frames; n += kLanes) {
-      const Lanes I = inverse_model<K>(H, w, n), R = load(P + n) * I * I;
-      for (int k = 0; k < K; ++k) {
-        const Lanes h = load(H.H + k * H.frames + n);
-        numerator[k] += h * R;
-        denominator[k] += h * I;
-      }
-    }
+inline void update_words(const BinGroup& bins, const Activations& H, float exponent, float floor, Lanes* w) {
+  Lanes numerator[K] = {}, denominator[K] = {};
+  for (int n = 0; n < bins.frames; ++n) {
+    Lanes L = w[0] * H.H[n];
+    for (int k = 1; k < K; ++k) L += w[k] * H.H[k * H.frames + n];
+    const Lanes I = 1.0f / L, R = load(bins.P + n * kLanes) * I * I;
     for (int k = 0; k < K; ++k) {
-      const float cost = H.cost ? H.cost[k] : 1.0f;
-      const float ratio = sum(numerator[k]) / (cost * sum(denominator[k]) + 1e-12f);
-      const float next = w[k] * (exponent == 1.0f ? ratio : powf(ratio, exponent));
-      w[k] = next > floor ? next : floor;
+      numerator[k] += H.H[k * H.frames + n] * R;
+      denominator[k] += H.H[k * H.frames + n] * I;
     }
   }
+  const Lanes least = Lanes{} + floor;
+  for (int k = 0; k < K; ++k) {
+    const float cost = H.cost ? H.cost[k] : 1.0f;
+    w[k] *= update_factor(numerator[k] / (cost * denominator[k] + 1e-12f), exponent);
+    w[k] = w[k] > least ? w[k] : least;
+  }
+}
+
+template <int K>
+void fit_bins(const BinGroup& bins, const Activations& H, const Updates& updates, float floor) {
+  Lanes w[K];
+  for (int lane = 0; lane < kLanes; ++lane) {  // those beyond the last bin repeat it
+    const float* row = bins.W + (lane < bins.count ? lane : bins.count - 1) * K;
+    for (int k = 0; k < K; ++k) w[k][lane] = row[k];
+  }
+  for (int i = 0; i < updates.count; ++i)
+    update_words<K>(bins, H, updates.exponents[i % updates.period], floor, w);
+  for (int lane = 0; lane < bins.count; ++lane)
+    for (int k = 0; k < K; ++k) bins.W[lane * K + k] = w[k][lane];
 }
 
 template <int K>
@@ -69,10 +89,9 @@ void add_activation_terms(const float* P, const Activations& H, const float* w, 
 
 template <int K>
 struct Table {
-  static void fit(const float* P, const Activations& H, float* w, int iterations, float exponent,
-                  float floor) {
-    if (H.words == K) return fit_bin<K>(P, H, w, iterations, exponent, floor);
-    Table<K - 1>::fit(P, H, w, iterations, exponent, floor);
+  static void fit(const BinGroup& bins, const Activations& H, const Updates& updates, float floor) {
+    if (H.words == K) return fit_bins<K>(bins, H, updates, floor);
+    Table<K - 1>::fit(bins, H, updates, floor);
   }
   static void add(const float* P, const Activations& H, const float* w, int updated, float* numerator,
                   float* denominator) {
@@ -83,7 +102,7 @@ struct Table {
 
 template <>
 struct Table<0> {
-  static void fit(const float*, const Activations&, float*, int, float, float) {}
+  static void fit(const BinGroup&, const Activations&, const Updates&, float) {}
   static void add(const float*, const Activations&, const float*, int, float*, float*) {}
 };
 

@@ -58,7 +58,7 @@ struct Lane {
 
 /// What is drawn of the machine, from top to bottom. Lanes of signals that the states do not hold are left
 /// out.
-constexpr Lane kLanes[] = {
+constexpr Lane kLanesDrawn[] = {
     {LaneKind::kActivity, "Situation", Signal::kRattling, 28},
     {LaneKind::kValues, "Rods", Signal::kRodCount, 17},
     {LaneKind::kValues, "Rock", Signal::kRock, 17},
@@ -88,7 +88,7 @@ class Drawing {
 
   void draw(const std::string& title) {
     draw_head(title);
-    for (const Lane& lane : kLanes) draw_lane(lane);
+    for (const Lane& lane : kLanesDrawn) draw_lane(lane);
     draw_wave();
     draw_spectrogram();
   }

@@ -1,9 +1,13 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "analysis/noise.hpp"
 #include "denoise/cs_nmf.hpp"
 #include "denoise/factors.hpp"
 #include "denoise/initial_nmf.hpp"
+#include "denoise/word_fit.hpp"
 #include "kernels/is_kernels.hpp"
 
 using namespace rigsound::analysis;
@@ -54,26 +58,49 @@ TEST_CASE("the 20 % quantile finds the level of a noise under rare loud events")
 }
 
 TEST_CASE("every instruction set gives the same bits, and those of the formula") {
-  const PowerSpectrogram power = noisy_power(Grid::Constant(1, 150, 1.0f), 5);
+  constexpr int kFrames = 150, kWords = 4, kBins = 3;
   TestNoise noise(6);
-  Grid H = Grid::Zero(4, power.padded());
-  for (int k = 0; k < 4; ++k)
-    for (int n = 0; n < 150; ++n) H(k, n) = float(noise.uniform()) + 0.1f;
-  float here[4] = {0.5f, 1, 0.2f, 0.7f}, baseline[4] = {0.5f, 1, 0.2f, 0.7f};
-  const Eigen::ArrayXd w = Eigen::Map<Eigen::Array4f>(here).cast<double>();
-  const Activations activations{H.data(), 4, power.padded()};
-  is_kernels().fit_bin(power.P.data(), activations, here, 1, 0.7f, 1e-10f);
-  kIsKernels_baseline.fit_bin(power.P.data(), activations, baseline, 1, 0.7f, 1e-10f);
-  const Eigen::ArrayXXd h = H.leftCols(150).cast<double>();
-  const Eigen::ArrayXd P = power.P.row(0).head(150).transpose().cast<double>();
-  const Eigen::ArrayXd L = (h.matrix().transpose() * w.matrix()).array();
-  for (int k = 0; k < 4; ++k) {
-    const Eigen::ArrayXd row = h.row(k).transpose();
-    CHECK(
-        here[k] ==
-        doctest::Approx(w(k) * std::pow((row * P / L.square()).sum() / (row / L).sum(), 0.7)).epsilon(1e-5));
-    CHECK(here[k] == baseline[k]);
+  Grid P(kFrames, kLanes), H = Grid::Zero(kWords, 160), start(kBins, kWords);
+  for (float& power : P.reshaped()) power = float(-std::log(1 - noise.uniform())) + 1e-7f;
+  for (float& activation : H.leftCols(kFrames).reshaped()) activation = float(noise.uniform()) + 0.1f;
+  for (float& power : start.reshaped()) power = float(noise.uniform()) + 0.1f;
+  const Activations activations{H.data(), kWords, 160};
+  for (const float exponent : {0.7f, 1.0f, 4.0f}) {
+    Grid here = start, baseline = start;
+    is_kernels().fit_bins({P.data(), kFrames, here.data(), kBins}, activations, {&exponent, 1, 1}, 1e-10f);
+    kIsKernels_baseline.fit_bins({P.data(), kFrames, baseline.data(), kBins}, activations, {&exponent, 1, 1},
+                                 1e-10f);
+    CHECK((here == baseline).all());
+    const Eigen::ArrayXXd h = H.leftCols(kFrames).cast<double>(), w = start.cast<double>();
+    for (int m = 0; m < kBins; ++m) {
+      const Eigen::ArrayXd L = (h.matrix().transpose() * w.row(m).matrix().transpose()).array();
+      for (int k = 0; k < kWords; ++k) {
+        const Eigen::ArrayXd row = h.row(k).transpose(), power = P.col(m).cast<double>();
+        const double ratio = (row * power / L.square()).sum() / (row / L).sum();
+        const double factor =
+            exponent > 1 ? std::clamp<double>(std::pow(ratio, exponent), 1 / kLargestStep, kLargestStep)
+                         : std::pow(ratio, exponent);
+        CHECK(here(m, k) == doctest::Approx(w(m, k) * factor).epsilon(1e-4));
+      }
+    }
   }
+}
+
+TEST_CASE("three rounds of fast updates come as far as 102 plain ones, in every bin") {
+  const PowerSpectrogram power = noisy_power(Grid::Constant(37, 375, 1.0f), 7);
+  Factors fast;
+  fast.signal_words = kDecayCount;
+  fast.H = Grid(kDecayCount + 1, power.padded());
+  fast.H << click_activations(regular_train(), kUsualDecays, 375, power.padded()),
+      hats(1, 375, power.padded());
+  fast.W = Grid::Constant(37, kDecayCount + 1, 0.3f);
+  Factors plain = fast, start = fast;
+  WordFit(power).update(fast_updates(3), nullptr, fast);
+  WordFit(power).update(plain_updates(102), nullptr, plain);
+  const Eigen::ArrayXf left = itakura_saito(power, plain).rowwise().mean(),
+                       left_fast = itakura_saito(power, fast).rowwise().mean(),
+                       first = itakura_saito(power, start).rowwise().mean();
+  CHECK(((left_fast - left).abs() < 0.02f * (first - left)).all());
 }
 
 TEST_CASE(
@@ -125,11 +152,12 @@ TEST_CASE("click-synchronous words find the two spectra a mixture was made of") 
 
 TEST_CASE("a word's cost divides its update") {
   const PowerSpectrogram power = noisy_power(Grid::Constant(1, 150, 1.0f), 5);
-  const Grid H = Grid::Constant(2, power.padded(), 1.0f);
+  Factors f;
+  f.H = Grid::Constant(2, power.padded(), 1.0f);
+  f.W = Grid::Constant(1, 2, 0.5f);
   const float cost[2] = {1, 1.25f};
-  float w[2] = {0.5f, 0.5f};
-  is_kernels().fit_bin(power.P.data(), {H.data(), 2, power.padded(), cost}, w, 1, 1.0f, 1e-10f);
-  CHECK(w[0] / w[1] == doctest::Approx(1.25));
+  WordFit(power).update(plain_updates(1), cost, f);
+  CHECK(f.W(0, 0) / f.W(0, 1) == doctest::Approx(1.25));
 }
 
 TEST_CASE("steady noise goes to the background where slow tails are dear, and loud slow tails stay") {
