@@ -7,6 +7,9 @@
 #include <cstring>
 #include <new>
 #include <type_traits>
+#include <vector>
+
+#include "engine/machine/other_fields.hpp"
 
 using namespace rigsound;
 using namespace rigsound::daemon;
@@ -62,17 +65,11 @@ TEST_CASE("A state of other padding but equal fields makes no record") {
 }
 
 TEST_CASE("A change of any one field makes a record, with the state and its block") {
-  int fields = 0;
   const MachineState start = drilling();
-  for_each_field(start, [&](const auto&) { ++fields; });
-  for (int changed = 0; changed < fields; ++changed) {
+  const std::vector<MachineState> others = tests::with_one_field_other(start);
+  for (std::size_t changed = 0; changed < others.size(); ++changed) {
     CAPTURE(changed);
-    MachineState next = start;
-    int i = 0;
-    for_each_field(next, [&](auto& field) {
-      using Field = std::decay_t<decltype(field)>;
-      if (i++ == changed) field = static_cast<Field>(static_cast<double>(field) == 1 ? 0 : 1);
-    });
+    const MachineState& next = others[changed];
     Reported r;
     r.reporter.report(7, 0, start);
     CHECK(r.reporter.report(7, 41, next));
