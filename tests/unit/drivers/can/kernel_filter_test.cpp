@@ -50,30 +50,3 @@ TEST_CASE("A J1939 message passes by its PGN, from any source unless one is name
   CHECK(passes(addressed, 0x18EF2133 | CAN_EFF_FLAG));
   CHECK_FALSE(passes(addressed, 0x18EE0000 | CAN_EFF_FLAG));
 }
-
-TEST_CASE("Frames survive the way to the kernel and back") {
-  Frame classic, fd, remote, long_dlc;
-  classic.id = 0x7FF;
-  classic.size = 3;
-  classic.data = {1, 2, 3};
-  fd.id = 0x1ABCDEFF;
-  fd.extended = fd.fd = fd.bit_rate_switch = true;
-  fd.size = 64;
-  fd.data.fill(0xA5);
-  remote.remote = true;
-  remote.size = 4;
-  long_dlc.size = 8;
-  long_dlc.raw_dlc = 13;
-  for (const Frame& f : {classic, fd, remote, long_dlc}) {
-    canfd_frame raw;
-    const Frame back = from_kernel(raw, to_kernel(f, raw));
-    CHECK(back.id == f.id);
-    CHECK(back.extended == f.extended);
-    CHECK(back.remote == f.remote);
-    CHECK(back.fd == f.fd);
-    CHECK(back.bit_rate_switch == f.bit_rate_switch);
-    CHECK(back.size == f.size);
-    CHECK(back.raw_dlc == f.raw_dlc);
-    CHECK(back.data == f.data);
-  }
-}

@@ -91,10 +91,13 @@ TEST_CASE("What goes to the kernel comes back as it was") {
     CHECK(again.error_passive == f.error_passive);
     CHECK(again.size == f.size);
     CHECK(again.raw_dlc == f.raw_dlc);
-    if (!f.remote) CHECK(again.data == f.data);
+    CHECK(again.data == (f.remote ? Frame().data : f.data));
   };
   f.id = 0x7FF;
   back(CAN_MTU);
+  f.size = 3, f.data = {1, 2, 3};
+  back(CAN_MTU);
+  f.size = 8, f.data[7] = 8;
   f.extended = true, f.id = 0x1FFFFFFF, f.raw_dlc = 12;
   back(CAN_MTU);
   f.remote = true;
@@ -106,4 +109,8 @@ TEST_CASE("What goes to the kernel comes back as it was") {
     f.bit_rate_switch = switched, f.error_passive = !switched;
     back(CANFD_MTU);
   }
+  f.data.fill(0xA5);
+  back(CANFD_MTU);
+  f.extended = false, f.id = 0x55;
+  back(CANFD_MTU);
 }
