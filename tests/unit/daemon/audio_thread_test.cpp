@@ -79,6 +79,13 @@ struct Setup {
     }
   }
 
+  /// From the first recorded to the last.
+  std::set<fs::path> session_files() const {
+    std::set<fs::path> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(sessions)) files.insert(entry.path());
+    return files;
+  }
+
   std::vector<float> rendered(const fs::path& session) const {
     session::SessionStates states(session);
     Engine again(options, tools::formula_sounds());
@@ -111,8 +118,7 @@ TEST_CASE("A session renders the very samples that were played, over a change of
   s.recorder.finish();
   const auto runs = s.sink.runs();
   REQUIRE(runs.size() == 2);
-  std::set<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(s.sessions)) files.insert(entry.path());
+  const std::set<fs::path> files = s.session_files();
   REQUIRE(files.size() == 2);
   CHECK(s.rendered(*files.begin()) == runs[0]);
   CHECK(s.rendered(*files.rbegin()) == runs[1]);
@@ -167,8 +173,7 @@ TEST_CASE("A stall between two engines is counted, and is no part of either's se
   s.recorder.finish();
   const auto runs = s.sink.runs();
   REQUIRE(runs.size() == 2);
-  std::set<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(s.sessions)) files.insert(entry.path());
+  const std::set<fs::path> files = s.session_files();
   REQUIRE(files.size() == 2);
   if (s.audio.figures().clock_jumps != 1) return;  // the machine itself has stalled
   CHECK(session::SessionStates(*files.rbegin()).skipped() == 0);
