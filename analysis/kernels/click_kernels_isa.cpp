@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "kernels/isa_names.hpp"
+
 namespace rigsound::analysis {
 namespace {
 
@@ -118,13 +120,8 @@ PairOfSums divergence(const double* q, const double* v, double clip, long size) 
 
 }  // namespace
 
-#define RIGSOUND_QUOTE(x) #x
-#define RIGSOUND_NAME(x) RIGSOUND_QUOTE(x)
-#define RIGSOUND_JOIN(a, b) a##b
-#define RIGSOUND_KERNELS(isa) RIGSOUND_JOIN(kClickKernels_, isa)
-
-extern const ClickKernels RIGSOUND_KERNELS(RIGSOUND_ISA);
-const ClickKernels RIGSOUND_KERNELS(RIGSOUND_ISA) = {
-    RIGSOUND_NAME(RIGSOUND_ISA), filter, tail, weigh, products, divergence};
+extern const ClickKernels RIGSOUND_OF_ISA(kClickKernels_);
+const ClickKernels RIGSOUND_OF_ISA(kClickKernels_) = {RIGSOUND_ISA_NAME, filter,    tail, weigh,
+                                                      products,          divergence};
 
 }  // namespace rigsound::analysis

@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "kernels/isa_names.hpp"
+
 namespace rigsound::analysis {
 namespace {
 
@@ -116,13 +118,8 @@ void model_bin(const Activations& H, const float* w, int words, float* model) {
 
 }  // namespace
 
-#define RIGSOUND_QUOTE(x) #x
-#define RIGSOUND_NAME(x) RIGSOUND_QUOTE(x)
-#define RIGSOUND_JOIN(a, b) a##b
-#define RIGSOUND_KERNELS(isa) RIGSOUND_JOIN(kIsKernels_, isa)
-
-extern const IsKernels RIGSOUND_KERNELS(RIGSOUND_ISA);
-const IsKernels RIGSOUND_KERNELS(RIGSOUND_ISA) = {RIGSOUND_NAME(RIGSOUND_ISA), Table<kMaxWords>::fit,
-                                                  Table<kMaxWords>::add, model_bin};
+extern const IsKernels RIGSOUND_OF_ISA(kIsKernels_);
+const IsKernels RIGSOUND_OF_ISA(kIsKernels_) = {RIGSOUND_ISA_NAME, Table<kMaxWords>::fit,
+                                                Table<kMaxWords>::add, model_bin};
 
 }  // namespace rigsound::analysis

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "kernels/isa_names.hpp"
+
 namespace rigsound::analysis {
 namespace {
 
@@ -53,13 +55,8 @@ void multiply(const float* A, const float* B, float* C, int n) {
 
 }  // namespace
 
-#define RIGSOUND_QUOTE(x) #x
-#define RIGSOUND_NAME(x) RIGSOUND_QUOTE(x)
-#define RIGSOUND_JOIN(a, b) a##b
-#define RIGSOUND_KERNELS(isa) RIGSOUND_JOIN(kKlKernels_, isa)
-
-extern const KlKernels RIGSOUND_KERNELS(RIGSOUND_ISA);
-const KlKernels RIGSOUND_KERNELS(RIGSOUND_ISA) = {RIGSOUND_NAME(RIGSOUND_ISA), update_activations,
-                                                  update_words, multiply};
+extern const KlKernels RIGSOUND_OF_ISA(kKlKernels_);
+const KlKernels RIGSOUND_OF_ISA(kKlKernels_) = {RIGSOUND_ISA_NAME, update_activations, update_words,
+                                                multiply};
 
 }  // namespace rigsound::analysis
