@@ -63,8 +63,9 @@ DrillingEvidence evidence_in(const Segment& whole, const SearchedClip& clip, con
 
 constexpr char kEvidenceHeader[] =
     "begin_s,end_s,probability,clicks,total,chance_surplus,fast_total,gap_irregularity,likeness,band_rise,"
-    "bar_rhythm,strength_rhythm,background_alone,with_clicks,rate,swell,surplus,pulses,dispersion,rise,"
-    "rhythm,irregularity,unexplained,repetition,waveform_repetition";
+    "bar_rhythm,strength_rhythm,waveform_repetition,background_alone,with_clicks,rate,swell,surplus,pulses,"
+    "dispersion,rise,"
+    "rhythm,irregularity,unexplained,repetition";
 
 /// Figures and, by their names, the weights against drilling that come of them.
 std::vector<double> evidence_row(const JudgedWindow& judged, const DrillingEvidence& e) {
@@ -80,11 +81,11 @@ std::vector<double> evidence_row(const JudgedWindow& judged, const DrillingEvide
                              e.likeness.rise,
                              e.likeness.rhythm,
                              e.strength_rhythm,
+                             e.repetition,
                              e.background_alone,
                              e.with_clicks};
   const auto weights = objection_weights(e);
   row.insert(row.end(), weights.begin(), weights.end());
-  row.push_back(e.repetition);
   return row;
 }
 
