@@ -1,6 +1,7 @@
 // The words of a factorisation learned for given activations, kLanes bins at a time.
 #pragma once
 
+#include <iterator>
 #include <vector>
 
 #include "denoise/factors.hpp"
@@ -18,8 +19,12 @@ constexpr float kFastExponents[] = {1, 1, 1, 1, 2, 4, 8, 16};
 /// `count` updates of exponent 1.
 constexpr Updates plain_updates(int count) { return {kPlainExponent, 1, count}; }
 
-/// `rounds` of eight updates that come about as far as 34 plain ones, but nowhere by the same way.
-constexpr Updates fast_updates(int rounds) { return {kFastExponents, 8, 8 * rounds}; }
+/// `rounds` of all exponents, each of which comes about as far as 34 plain updates, but nowhere by the same
+/// way.
+constexpr Updates fast_updates(int rounds) {
+  constexpr int kRound = std::size(kFastExponents);
+  return {kFastExponents, kRound, kRound * rounds};
+}
 
 /// A power spectrogram laid out for the kernels. Thread: OFF.
 class WordFit {
