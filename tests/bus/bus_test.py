@@ -18,7 +18,7 @@ import sys
 from vm import machine
 
 HERE = pathlib.Path(__file__).parent
-LIMIT_S = 1000
+LIMIT_S = 2000
 SOAK_LIMIT_S = 3 * 3600
 FRAMES_LEFT_IN_THE_CARD = 1024   # when it was closed: rendered, never heard
 FRAMES_A_CRASH_MAY_COST = 48000  # heard, not in the session
