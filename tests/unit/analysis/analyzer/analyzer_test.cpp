@@ -97,7 +97,7 @@ TEST_CASE("banks do not depend on jobs and shards") {
     if (file.find("banks/") == 0) CHECK(contents(at / "parts")[file] == text);
 }
 
-TEST_CASE("finished banks are kept, damaged and outdated ones are made again") {
+TEST_CASE("finished banks are kept, damaged and outdated ones are made again" * doctest::test_suite("long")) {
   const Workplace at;
   write_recordings(at);
   AnalyzerOptions options = options_for(at, "set");
@@ -192,7 +192,8 @@ TEST_CASE("a broken soundset.toml is told before anything is analysed") {
   CHECK(read_text(at / "set/soundset.toml") == "format = 99\n");
 }
 
-TEST_CASE("four seconds of drilling in a minute of noise are a bank, of the clicks that the chain finds") {
+TEST_CASE("four seconds of drilling in a minute of noise are a bank, of the clicks that the chain finds" *
+          doctest::test_suite("long")) {
   constexpr int kId = 103, kStart = 28 * 48000;
   const Workplace at;
   fs::create_directories(at / "in");

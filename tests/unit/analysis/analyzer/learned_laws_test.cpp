@@ -10,7 +10,8 @@
 using namespace rigsound;
 using namespace rigsound::analysis;
 
-TEST_CASE("a feed ramp at +6 dB gives a series and its laws, right between its banks and beyond them") {
+TEST_CASE("a feed ramp at +6 dB gives a series and its laws, right between its banks and beyond them" *
+          doctest::test_suite("long")) {
   for (const std::uint64_t seed : {11, 12, 13}) {
     const Workplace at;
     const SoundSet sounds = learned_from_ramp(at / "", {seed, 48, 2});

@@ -109,7 +109,7 @@ double drum_machine(double t, TestNoise& noise) {
 
 }  // namespace
 
-TEST_CASE("clicks and sound of clips with known truth") {
+TEST_CASE("clicks and sound of clips with known truth" * doctest::test_suite("long")) {
   for (const int id : {100, 105, 109, 117}) {
     for (const double snr_db : {6.0, 0.0}) {
       CAPTURE(id);
@@ -222,7 +222,8 @@ TEST_CASE("the modelled powers are shares of what was recorded, and the drilling
   CHECK(worst_db < 1);
 }
 
-TEST_CASE("noise, a rotary drill, a voice, music and a drum machine are no drilling") {
+TEST_CASE("noise, a rotary drill, a voice, music and a drum machine are no drilling" *
+          doctest::test_suite("long")) {
   for (const auto at : {white, rotary_drill, voice, music, drum_machine}) {
     const ChainResult result = run_chain(sound(3, at, 81), {});
     CHECK(!result.drilling_found);
@@ -236,7 +237,8 @@ TEST_CASE("noise, a rotary drill, a voice, music and a drum machine are no drill
   }
 }
 
-TEST_CASE("the paper's method finds the clicks too, if less exactly, and tells noise from drilling") {
+TEST_CASE("the paper's method finds the clicks too, if less exactly, and tells noise from drilling" *
+          doctest::test_suite("long")) {
   const Case c = clip(109, 6, 2);
   ChainOptions options;
   options.method = Method::kPaper;

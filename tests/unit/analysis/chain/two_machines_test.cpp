@@ -112,7 +112,7 @@ TEST_CASE("two machines are named with their rates, the louder first, and every 
   CHECK(machines_text(both.machines).find("machine 2: 3") != std::string::npos);
 }
 
-TEST_CASE("one machine is had without the other") {
+TEST_CASE("one machine is had without the other" * doctest::test_suite("long")) {
   const std::vector<float> x = mixed(slow(), fast(), -3);
   const ChainResult first = found_in(x, 1), second = found_in(x, 2);
   CHECK(first.struck_by.empty());
