@@ -8,6 +8,7 @@
 #include "diesel/hbwt.hpp"
 #include "note/elementary_waveforms.hpp"
 #include "note/harmonic_error.hpp"
+#include "note/noise_field.hpp"
 #include "note/note_pitch.hpp"
 #include "note/subband_noise.hpp"
 #include "rigsound/analysis/rate.hpp"
@@ -20,6 +21,9 @@ namespace {
 constexpr int kScales = 4, kScalesKept = 3;
 constexpr int kEnergyWindow = 20;  // coefficients (section 5)
 constexpr int kFirstOrder = 10;    // of the AR filters, in the second subband (section 5)
+// What the subbands of independent energies have beside them. An overblown pipe sounds at halves or thirds of
+// its note too: a line far from the harmonics, two poles. Loudness wanders slower than the scaling band: one.
+constexpr int kOverblownOrder = 2, kSlowOrder = 1;
 constexpr double kHighestHarmonic_hz = 10000;
 constexpr double kBandwidth = 0.92;
 constexpr int kTrials = 6;
@@ -58,6 +62,7 @@ class NoteSynthesis {
   /// Puts noise where the note is steady and counts what the noise was made of.
   void replace() {
     const auto P = static_cast<std::size_t>(c_.shape.P);
+    if (drawn_together()) field_ = noise_field(c_.shape, c_.length, spectra(), chance_);
     for (std::size_t q = 0; q < P; ++q) replace_channel(q);
     if (settings_.one_over_f) parameters_ += 2 * P;
   }
@@ -93,40 +98,71 @@ class NoteSynthesis {
       rows[static_cast<std::size_t>(i * c_.shape.P) + q] = mean + d[i - range.from];
   }
 
-  void replace_channel(std::size_t q) {
-    const int N = c_.shape.N;
-    const RowRange scaling = steady_rows(N, first_, last_);
-    Subband slow = read(c_.a, scaling, q);
-    double mean = 0;
+  /// Beside harmonics that stay as they were nothing strong is drawn that could spill over.
+  bool drawn_together() const { return !settings_.one_over_f && !settings_.keep_harmonics; }
+  int order_of(int n) const {
+    if (n >= 2) return settings_.colour ? std::max(0, kFirstOrder - 2 * (n - 2)) : 0;
+    return drawn_together() ? kOverblownOrder : 0;
+  }
+  Subband detail(int n, std::size_t q) const { return read(c_.d[n - 1], steady_rows(n, first_, last_), q); }
+  /// The scaling coefficients without their mean.
+  Subband slow_part(std::size_t q, double& mean) const {
+    Subband slow = read(c_.a, steady_rows(c_.shape.N, first_, last_), q);
+    mean = 0;
     for (const double v : slow) mean += v / static_cast<double>(slow.size());
     for (double& v : slow) v -= mean;
+    return slow;
+  }
 
+  /// Of what is replaced by noise.
+  FieldSpectra spectra() const {
+    const int N = c_.shape.N;
+    FieldSpectra wanted(static_cast<std::size_t>(N + 1),
+                        std::vector<SubbandSpectrum>(static_cast<std::size_t>(c_.shape.P)));
+    for (std::size_t q = 0; q < static_cast<std::size_t>(c_.shape.P); ++q) {
+      for (int n = settings_.waveforms > 0 ? 2 : 1; n <= N; ++n) {
+        const Subband d = detail(n, q);
+        wanted[n - 1][q] = subband_spectrum(d, power_of(d) * gains_.at(n, q), order_of(n));
+      }
+      double mean = 0;
+      const Subband slow = slow_part(q, mean);
+      wanted[N][q] = subband_spectrum(slow, power_of(slow), kSlowOrder);
+    }
+    return wanted;
+  }
+
+  void replace_channel(std::size_t q) {
+    const int N = c_.shape.N;
+    double mean = 0;
+    const Subband slow = slow_part(q, mean);
     std::vector<Subband> details;
     std::vector<double> variance;
     for (int n = 1; n <= N; ++n) {
-      details.push_back(read(c_.d[n - 1], steady_rows(n, first_, last_), q));
+      details.push_back(detail(n, q));
       variance.push_back(power_of(details.back()));
     }
-    double slow_variance = power_of(slow);
-    if (settings_.one_over_f) {
-      const OneOverF law = fit_one_over_f(variance);
-      for (int n = 1; n <= N; ++n) variance[n - 1] = law.variance(n);
-      slow_variance = law.variance(N + 1);
-    }
+    const OneOverF law = settings_.one_over_f ? fit_one_over_f(variance) : OneOverF{};
     for (int n = settings_.waveforms > 0 ? 2 : 1; n <= N; ++n) {
       const auto i = static_cast<std::size_t>(n - 1);
-      NoiseShape shape{variance[i] * gains_.at(n, q),
-                       settings_.colour && n >= 2 ? std::max(0, kFirstOrder - 2 * (n - 2)) : 0,
-                       settings_.time_varying ? kEnergyWindow : 0};
-      write(c_.d[i], steady_rows(n, first_, last_), q, noise_like(details[i], shape, chance_), 0);
+      const RowRange rows = steady_rows(n, first_, last_);
+      const NoiseShape shape{settings_.one_over_f ? law.variance(n) : variance[i] * gains_.at(n, q),
+                             order_of(n), settings_.time_varying ? kEnergyWindow : 0};
+      write(c_.d[i], rows, q,
+            drawn_together() ? with_energy_of(details[i], read(field_.d[i], rows, q), shape.window)
+                             : noise_like(details[i], shape, chance_),
+            0);
       count(details[i].size(), shape);
     }
     if (settings_.keep_harmonics) {
       parameters_ += slow.size();
       return;
     }
-    write(c_.a, scaling, q, noise_like(slow, {slow_variance, 0, 0}, chance_), mean);
-    parameters_ += settings_.one_over_f ? 1 : 2;
+    const RowRange scaling = steady_rows(N, first_, last_);
+    write(c_.a, scaling, q,
+          settings_.one_over_f ? noise_like(slow, {law.variance(N + 1), 0, 0}, chance_)
+                               : as_strong_as(slow, read(field_.a, scaling, q)),
+          mean);
+    parameters_ += settings_.one_over_f ? 1 : 2 + kSlowOrder;
   }
 
   void count(std::size_t coefficients, const NoiseShape& shape) {
@@ -136,7 +172,7 @@ class NoteSynthesis {
 
   NoteSettings settings_;
   const VarianceGains& gains_;
-  HbwtCoefficients<double> c_;
+  HbwtCoefficients<double> c_, field_;
   int first_, last_;
   std::mt19937_64 chance_;
   std::size_t parameters_ = 0;
@@ -214,9 +250,8 @@ std::vector<double> steady_samples(const std::vector<double>& x, const SteadyPar
           x.begin() + static_cast<std::ptrdiff_t>(part.to)};
 }
 
-/// Independent noise in every subband is louder near a harmonic than the note: what db4 lets through from one
-/// subband to the next cancelled there and adds up now. The gains take trial syntheses to the note's
-/// energies.
+/// The transform finds more power in a weak subband than the note has there: what db4 and the channels let
+/// through from strong ones. The gains take trial syntheses to the note's energies.
 VarianceGains calibrated_gains(const AngleNote& note, const SteadyPart& part, int P,
                                const NoteSettings& settings) {
   VarianceGains gains(P);

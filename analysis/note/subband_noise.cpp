@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "rigsound/dsp/linear_prediction.hpp"
 
@@ -56,16 +57,29 @@ Subband noise_like(const Subband& original, const NoiseShape& shape, std::mt1993
     }
     z.assign(y.end() - static_cast<std::ptrdiff_t>(size), y.end());
   }
-  if (shape.window <= 0) return z;
-  const auto window = static_cast<std::size_t>(shape.window);
+  return with_energy_of(original, std::move(z), shape.window);
+}
+
+Subband with_energy_of(const Subband& original, Subband noise, int coefficients) {
+  if (coefficients <= 0) return noise;
+  const auto window = static_cast<std::size_t>(coefficients);
   const double mean = power_of(original) + 1e-30;
-  for (std::size_t start = 0; start < size; start += window) {
-    const std::size_t end = std::min(size, start + window);
+  for (std::size_t start = 0; start < noise.size(); start += window) {
+    const std::size_t end = std::min(noise.size(), start + window);
     const Subband part(original.begin() + static_cast<std::ptrdiff_t>(start),
                        original.begin() + static_cast<std::ptrdiff_t>(end));
-    for (std::size_t i = start; i < end; ++i) z[i] *= std::sqrt(power_of(part) / mean);
+    for (std::size_t i = start; i < end; ++i) noise[i] *= std::sqrt(power_of(part) / mean);
   }
-  return z;
+  return noise;
+}
+
+Subband as_strong_as(const Subband& original, Subband noise) {
+  double mean = 0;
+  for (const double v : noise) mean += v / static_cast<double>(noise.size());
+  for (double& v : noise) v -= mean;
+  const double gain = std::sqrt(power_of(original) / (power_of(noise) + 1e-300));
+  for (double& v : noise) v *= gain;
+  return noise;
 }
 
 }  // namespace rigsound::analysis

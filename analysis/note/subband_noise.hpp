@@ -30,4 +30,11 @@ struct NoiseShape {
 /// following its energy. Thread: OFF.
 Subband noise_like(const Subband& original, const NoiseShape& shape, std::mt19937_64& chance);
 
+/// `noise` with the energies that `original` has in windows of `window` coefficients, over its mean; 0: as it
+/// is. Thread: OFF.
+Subband with_energy_of(const Subband& original, Subband noise, int window);
+
+/// `noise` without its mean and with the power of `original`. Thread: OFF.
+Subband as_strong_as(const Subband& original, Subband noise);
+
 }  // namespace rigsound::analysis
