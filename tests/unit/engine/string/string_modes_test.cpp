@@ -123,6 +123,7 @@ TEST_CASE("the table of bending modes is within 0.06 cents at every length, and 
       }
     }
     CHECK(table.cut(10 * L).at(0) == table.cut(100 * L).at(0));
+    CHECK(table.cut(10 * L).row[0] == table.cut(L).row[0]);  // no row beyond the last is read
     CHECK(table.cut(10 * L).at(0) < table.cut(L).at(0) * (1 + 1e-9));
     CHECK(table.cut(10 * L).at(0) > table.cut(L).at(0) * 0.9);  // a row further at most
     CHECK(table.cut(0.1 * shortest).at(0) == table.cut(0.01 * shortest).at(0));
