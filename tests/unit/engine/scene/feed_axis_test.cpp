@@ -109,6 +109,22 @@ TEST_CASE("clicks of two known decays give their trend, an unknown one gives non
   CHECK(trend(0, 400, 34.5) == 0);
 }
 
+TEST_CASE("between banks of two percussion pressures lies the pressure that impacts are measured against") {
+  SoundSet sounds = tools::formula_sounds();
+  sounds.uses = {{Situation::kUnderfeed, 1, -1, 2, 40, 120}, {Situation::kNormal, 1, -1, 0, 100, 160},
+                 {Situation::kOverfeed, 1, -1, 3, 160, 200}, {Situation::kUnderfeed, 6, -1, 2, 40, 130},
+                 {Situation::kNormal, 6, -1, 1, 100, 180},   {Situation::kOverfeed, 6, -1, 3, 160}};
+  const scene::FeedAxis axis(sounds, SceneOptions{});
+  const auto bar = [&](double feed, double rods) { return axis.place(feed, rods, 0).percussion_bar; };
+  CHECK(bar(40, 1) == doctest::Approx(120));
+  CHECK(bar(55, 1) == doctest::Approx(130));
+  CHECK(bar(130, 1) == doctest::Approx(180));
+  CHECK(bar(300, 1) == doctest::Approx(200));
+  CHECK(bar(20, 1) == doctest::Approx(120));
+  CHECK(bar(300, 6) == doctest::Approx(SceneOptions{}.percussion_nominal_bar));
+  CHECK(bar(100, 3) == doctest::Approx(160 + 0.4 * 20));
+}
+
 TEST_CASE("a bank that stands alone is all there is at every feed") {
   Three three;
   std::vector<BankUse> uses = {{Situation::kNormal, 1, -1, 0, 80}};
