@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 
@@ -156,6 +157,22 @@ TEST_CASE("clicks of a packed file are in memory once, and stay when all else of
     clicks = banks[1].clicks;
   }
   CHECK(clicks == set.parts.banks[1].bank.clicks);
+}
+
+TEST_CASE("clicks that lie where no float may are copied to where one may") {
+  const test::TemporaryFolder folder;
+  const config::PackedSet set = example();
+  std::string bytes = config::packed(set);
+  std::uint64_t samples_at = 0;
+  std::memcpy(&samples_at, bytes.data() + kHashed, sizeof samples_at);
+  bytes.insert(samples_at++, 1, '\0');
+  std::memcpy(bytes.data() + kHashed, &samples_at, sizeof samples_at);
+  const config::PackedSet loaded = config::load_packed(folder.write("odd.rigset", rehashed(bytes)));
+  for (std::size_t b = 0; b < set.parts.banks.size(); ++b) {
+    CHECK(loaded.parts.banks[b].bank.clicks == set.parts.banks[b].bank.clicks);
+    for (const Click& click : loaded.parts.banks[b].bank.clicks)
+      CHECK(reinterpret_cast<std::uintptr_t>(click.data()) % alignof(float) == 0);
+  }
 }
 
 TEST_CASE("a bank without clicks is refused") {

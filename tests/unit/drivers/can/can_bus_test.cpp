@@ -8,6 +8,7 @@
 #include <chrono>
 #include <deque>
 
+#include "rigsound/can/frame_decoder.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/machine/signal_board.hpp"
 #include "rigsound/monotonic_time.hpp"
@@ -203,6 +204,24 @@ TEST_CASE("A frame is decoded, and its reading carries the time the kernel stamp
     CHECK(reading.time_s < after_s - 0.25 + 0.01);
   }
   CHECK(s.count("frames_used") == 1);
+}
+
+TEST_CASE("Only frames of the routes are decoded, each by all of its routes") {
+  SignalRoute pressure = options().routes[0], rods = options().routes[1], other = rods;
+  other.match.id = 9;
+  std::vector<SignalRoute> routes = {pressure, rods, other};
+  routes.pop_back();  // what lies behind the last route is none
+  const FrameDecoder decoder(std::move(routes));
+  std::vector<Reading> readings;
+  CHECK_FALSE(decoder.decode(data(9), 1, readings));
+  CHECK(readings.empty());
+  Frame frame = data(7);
+  frame.data[0] = 85, frame.data[1] = 3;
+  CHECK(decoder.decode(frame, 1.5, readings));
+  REQUIRE(readings.size() == 2);
+  CHECK(readings[0].value == 85);
+  CHECK(readings[1].value == 3);
+  CHECK(readings[1].time_s == 1.5);
 }
 
 TEST_CASE("A frame without a stamp counts as of now, one of the future or of long ago within a second") {

@@ -104,6 +104,12 @@ TEST_CASE("One stamp of many that falls is a clock that was set, not a gap") {
   CHECK(times[39] == doctest::Approx(139));
 }
 
+TEST_CASE("Only stamps of three digits may be gaps") {
+  CHECK(times_ms({"0000000000.000000", "0000000000.020000", "0000000000.010000"}) == Times{0, 20, 10});
+  CHECK(times_ms({"00.000000", "00.020000", "00.010000"}) == Times{0, 20, 10});
+  CHECK(times_ms({"0000.000000", "0000.020000", "0000.010000"}) == Times{0, 20, 10});
+}
+
 TEST_CASE("A log that begins late, or reaches over 1000 s, has no gaps for stamps") {
   CHECK(times_ms({"000.500000", "000.020000", "000.010000"}) == Times{500, 20, 10});
   CHECK(times_ms({"000.000000", "1000.000000", "000.010000"}) == Times{0, 1000000, 10});

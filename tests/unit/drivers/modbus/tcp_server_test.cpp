@@ -21,7 +21,8 @@ using namespace rigsound::modbus;
 namespace {
 
 struct Served {
-  Served() {
+  explicit Served(double master_gone_after_s = 1) {
+    options.master_gone_after_s = master_gone_after_s;
     options.host = "127.0.0.1";
     options.port = 0;
     options.routes = {
@@ -189,6 +190,23 @@ TEST_CASE("When the last connection that wrote is gone, and stays away, its sign
   const auto again = s.client();
   REQUIRE(modbus_write_register(again.get(), 0, 700) == 1);
   await([&] { return s.told.of(Signal::kFeedPressureBar).value == 70; });
+}
+
+TEST_CASE("What a master wrote stands for the time its server grants, and for ever when that is 0") {
+  for (const double granted_s : {60.0, 0.0}) {
+    Served s(granted_s);
+    const Context reader = s.client();
+    {
+      const Context master = s.client();
+      REQUIRE(modbus_write_register(master.get(), 0, 855) == 1);
+    }
+    // In the round in which the server knows that the master has gone it also judges what it wrote.
+    await([&] { return s.server->connections() == 1; });
+    std::uint16_t got = 0;
+    for (int i = 0; i < 3; ++i) REQUIRE(modbus_read_registers(reader.get(), 0, 1, &got) == 1);
+    CHECK(s.told.of(Signal::kFeedPressureBar).validity == Validity::kValid);
+    CHECK(s.told.notices() == 0);
+  }
 }
 
 TEST_CASE("A server of RTU frames over TCP") {

@@ -166,6 +166,21 @@ TEST_CASE("recorded start and stop play once each") {
   CHECK(sum(play(layer, {0, 0, 0}, 3)) == doctest::Approx(-1500));
 }
 
+TEST_CASE("a recorded start sounds alike at every rate, without what lies above half of it") {
+  const auto energy_s = [](double hz, double rate) {
+    DieselModel model = bare(800);
+    for (int n = 0; n < 24000; ++n)
+      model.start.push_back(static_cast<float>(0.25 * std::sin(2 * M_PI * hz * n / model.sample_rate)));
+    DieselLayer layer({model}, rate, 1, 800);
+    const std::vector<double> x = play(layer, {800, 0, 0}, 3);
+    return power(x) * static_cast<double>(x.size()) / rate;
+  };
+  const double whole = 0.5 * 0.25 * 0.25 * 0.5;
+  for (const double rate : {32000.0, 48000.0, 96000.0})
+    CHECK(energy_s(5000, rate) == doctest::Approx(whole).epsilon(0.005));
+  CHECK(energy_s(20000, 32000) < 1e-3 * whole);
+}
+
 TEST_CASE("a one-shot that is overtaken fades away") {
   DieselModel model = bare(800);
   model.start.assign(48000, 0.25F);

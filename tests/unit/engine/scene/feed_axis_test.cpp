@@ -94,6 +94,53 @@ TEST_CASE("laws of the sound set replace the slopes of the outermost pair") {
   CHECK(axis.place(30, 1, 0).trend.ln_decay == doctest::Approx(-0.002 * 7.5).epsilon(0.01));
 }
 
+TEST_CASE("clicks of two known decays give their trend, an unknown one gives none") {
+  const auto trend = [](double normal, double overfeed, double feed_bar) {
+    Three three;
+    three.sounds.banks[1].decay = 200;
+    three.sounds.banks[0].decay = normal, three.sounds.banks[2].decay = overfeed;
+    return three.axis().place(feed_bar, 1, 0).trend.ln_decay;
+  };
+  CHECK(trend(200, 400, 153) == doctest::Approx(3 * std::log(2) / 60).epsilon(0.001));
+  CHECK(trend(400, 200, 153) == doctest::Approx(-3 * std::log(2) / 60).epsilon(0.001));
+  CHECK(trend(400, 200, 34.5) == doctest::Approx(-3 * std::log(2) / 52.5).epsilon(0.001));
+  CHECK(trend(0, 400, 153) == 0);
+  CHECK(trend(200, 0, 153) == 0);
+  CHECK(trend(0, 400, 34.5) == 0);
+}
+
+TEST_CASE("between banks of two percussion pressures lies the pressure that impacts are measured against") {
+  SoundSet sounds = tools::formula_sounds();
+  sounds.uses = {{Situation::kUnderfeed, 1, -1, 2, 40, 120}, {Situation::kNormal, 1, -1, 0, 100, 160},
+                 {Situation::kOverfeed, 1, -1, 3, 160, 200}, {Situation::kUnderfeed, 6, -1, 2, 40, 130},
+                 {Situation::kNormal, 6, -1, 1, 100, 180},   {Situation::kOverfeed, 6, -1, 3, 160}};
+  const scene::FeedAxis axis(sounds, SceneOptions{});
+  const auto bar = [&](double feed, double rods) { return axis.place(feed, rods, 0).percussion_bar; };
+  CHECK(bar(40, 1) == doctest::Approx(120));
+  CHECK(bar(55, 1) == doctest::Approx(130));
+  CHECK(bar(130, 1) == doctest::Approx(180));
+  CHECK(bar(300, 1) == doctest::Approx(200));
+  CHECK(bar(20, 1) == doctest::Approx(120));
+  CHECK(bar(300, 6) == doctest::Approx(SceneOptions{}.percussion_nominal_bar));
+  CHECK(bar(100, 3) == doctest::Approx(160 + 0.4 * 20));
+}
+
+TEST_CASE("a bank that stands alone is all there is at every feed") {
+  Three three;
+  std::vector<BankUse> uses = {{Situation::kNormal, 1, -1, 0, 80}};
+  uses.reserve(2);
+  three.sounds.uses = uses;
+  const scene::FeedAxis axis = three.axis();
+  for (const double feed : {20.0, 80.0, 250.0}) {
+    const scene::FeedPlace place = axis.place(feed, 1, 0);
+    CHECK(share_of(place, three.normal()) == doctest::Approx(1));
+    CHECK(place.trend.ln_gap == 0);
+    CHECK(place.trend.ln_level == 0);
+    CHECK(place.trend.tilt_db_per_octave == 0);
+    CHECK(place.ln_tilted_norm == 0);
+  }
+}
+
 TEST_CASE("banks placed by their own feed, and two rod counts: in between is in between") {
   SoundSet sounds = tools::formula_sounds();
   sounds.uses = {{Situation::kNormal, 1, -1, 0, 100},    {Situation::kNormal, 6, -1, 1, 100},
@@ -162,6 +209,27 @@ TEST_CASE(
   const double level_db = static_cast<double>(half.drill().slots[0].controls.mean_amplitude_db -
                                               nominal.drill().slots[0].controls.mean_amplitude_db);
   CHECK(level_db == doctest::Approx(-3.01).epsilon(0.01));
+}
+
+TEST_CASE("a rig at rest follows a new rate, pressure or control in the next chunk") {
+  const SoundSet sounds = tools::formula_sounds();
+  scene::BoomScene boom(tools::full_options(), sounds, 0);
+  BoomState state;
+  state.feed_pressure_bar = 110;
+  state.percussion_rate_hz = 30;
+  boom.set(state);
+  for (int i = 0; i < 5000; ++i) boom.advance();
+  const double gap = boom.impacts().mean_gap_samples;
+  const double db = static_cast<double>(boom.drill().slots[0].controls.mean_amplitude_db);
+  state.percussion_rate_hz = 60;
+  state.controls.decay_factor = 2;
+  state.percussion_pressure_bar = static_cast<float>(2 * EngineOptions{}.scene.percussion_nominal_bar);
+  boom.set(state);
+  boom.advance();
+  CHECK(boom.impacts().mean_gap_samples == doctest::Approx(gap / 2));
+  CHECK(boom.drill().slots[0].controls.decay_factor == 2);
+  CHECK(static_cast<double>(boom.drill().slots[0].controls.mean_amplitude_db) - db ==
+        doctest::Approx(10 * std::log10(2)).epsilon(1e-4));
 }
 
 TEST_CASE("a steady rig is placed once, not every chunk") {

@@ -11,6 +11,8 @@
 #include "engine/allocation_guard.hpp"
 #include "engine/heard.hpp"
 #include "engine/string/string_sounds.hpp"
+#include "string/design/string_tuning.hpp"
+#include "string/longitudinal_string.hpp"
 
 using namespace rigsound;
 using namespace rigsound::string;
@@ -61,11 +63,48 @@ TEST_CASE("a bit in the air sends everything back as tension, one in a gap what 
   }
 }
 
+TEST_CASE("a bit gives as many samples as it is given, in the air, on the rock and in a gap") {
+  for (const double gap : {-1.0, 0.0, 10.0}) {
+    BitContact bit;
+    bit.set_loading(9);
+    bit.set_gap(gap);
+    bit.silence();
+    double down[kChunk] = {1, 1, 1, 1, 1, 1, 1, 1, 1}, up[kChunk];
+    std::fill(up, up + kChunk, 7.0);
+    bit.process(down, up, 8);
+    CAPTURE(gap);
+    CHECK(up[7] != 7);
+    CHECK(std::all_of(up + 8, up + kChunk, [](double x) { return x == 7; }));
+  }
+}
+
 TEST_CASE("without blows no energy is made, whatever stiffness, gap, length and contact do") {
   for (const tool::LaneWidth width : {tool::LaneWidth::kTwo, tool::widest_lanes()}) {
     CHECK(largest_string_growth(plain_string(1.83, 0.038, 3), 4000, width) <= 1e-13);
     CHECK(largest_string_growth(plain_string(0.6, 0.038, 3), 4000, width) <= 1e-13);
     CHECK(largest_bending_growth(plain_string(3.66), 4000, width) <= 1e-13);
+  }
+}
+
+TEST_CASE("between its losses at the shank a string keeps its energy, wherever the waves are") {
+  for (const int rods : {1, 3}) {
+    const StringModel model = bare_string(3.66, rods);
+    const StringTuning tuning = tune_string(model, rods, kStringRate);
+    REQUIRE(tuning.loss_side == 0);
+    const double lost = 1 - tuning.loss_middle * tuning.loss_middle;  // of what the shank reflects
+    LongitudinalString line(model, kStringRate, tool::widest_lanes());
+    line.bit().set_gap(-1);
+    double in[kChunk] = {1, -0.5, 2, 1}, none[kChunk] = {}, heard[kChunk];
+    line.process({in, none, heard});
+    const double first = line.energy();
+    CHECK(first == doctest::Approx(1 + 0.25 + 4 + 1).epsilon(1e-12));
+    for (int chunk = 1; chunk < 300; ++chunk) {
+      line.process({none, none, heard});
+      const double trips = chunk * kChunk / tuning.round_trip();
+      CAPTURE(chunk);
+      CHECK(line.energy() <= first * std::pow(1 - lost, std::floor(trips) - 1));
+      CHECK(line.energy() >= first * std::pow(1 - lost, std::ceil(trips) + 1));
+    }
   }
 }
 

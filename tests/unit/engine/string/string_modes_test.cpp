@@ -7,7 +7,9 @@
 #include "engine/heard.hpp"
 #include "engine/string/string_sounds.hpp"
 #include "string/bending_modes.hpp"
+#include "string/design/mode_table.hpp"
 #include "string/design/string_tuning.hpp"
+#include "tool/design/mode_law.hpp"
 
 using namespace rigsound;
 using namespace rigsound::tests;
@@ -28,10 +30,13 @@ double reactance(const StringModel& m, double hz) {
     const double t = std::tan(2 * M_PI * hz * length / 5200);
     X = Z * (X + Z * t) / (Z - X * t);
   };
-  through(1, m.shank_length_m - m.sleeve_length_m / 2);
+  const auto joint = [&] { through(m.sleeve_impedance, m.sleeve_length_m); };
+  const bool shank = m.shank_length_m > 0;
+  if (shank) through(1, m.shank_length_m - m.sleeve_length_m / 2), joint();
   for (int rod = 1; rod <= m.rods; ++rod) {
-    through(m.sleeve_impedance, m.sleeve_length_m);
-    through(1, m.rod_length_m - m.sleeve_length_m * (rod < m.rods ? 1 : 0.5));
+    const int sleeves = (shank || rod > 1 ? 1 : 0) + (rod < m.rods ? 1 : 0);  // half of each is over the rod
+    through(1, m.rod_length_m - m.sleeve_length_m * 0.5 * sleeves);
+    if (rod < m.rods) joint();
   }
   return X;
 }
@@ -55,9 +60,12 @@ TEST_CASE("a free string without joints is a comb of m c / 2 N L, within two cen
 
 TEST_CASE("joints are where one-dimensional scattering has its modes") {
   for (const double impedance : {1.2, 2.5})
-    for (const int N : {1, 6}) {
+    for (const auto& [N, shank_m] : {std::pair{1, 0.5}, {6, 0.5}, {2, 0.0}, {6, 0.0}}) {
       StringModel model = plain_string(1.83, 0.038, N);
       model.sleeve_impedance = impedance;
+      model.shank_length_m = shank_m;
+      CAPTURE(model.rods);
+      CAPTURE(model.shank_length_m);
       const auto modes = family(model, 1.83, "longitudinal");
       REQUIRE(modes.size() >= 5);
       for (const StringMode& mode : modes) {
@@ -96,6 +104,31 @@ TEST_CASE("bending modes are the exact free-free Timoshenko modes of what is exp
         if (exact[k] > 60) CHECK(std::fabs(cents(modes[k].model_hz, exact[k])) < 2);
       }
     }
+}
+
+TEST_CASE("the table of bending modes is within 0.06 cents at every length, and held within its ends") {
+  for (const auto& [L, d] : {std::pair{3.66, 0.038}, {6.4, 0.025}, {0.6, 0.032}}) {
+    const StringModel model = plain_string(L, d);
+    const string::ModeTable table(model, kStringRate);
+    const double shortest = string::kShortest * d;
+    for (double length = shortest; length < L; length *= 1.013) {
+      const tool::TransversalLaw law(Bar{length, d});
+      const string::TableCut cut = table.cut(length);
+      CHECK(cut.weight[0] + cut.weight[1] + cut.weight[2] + cut.weight[3] == doctest::Approx(1));
+      for (int k = 0; k < string::kMaxModes && law.at(k + 1) < string::kFadeTo_hz; ++k) {
+        CAPTURE(length);
+        CAPTURE(k);
+        const double hz = std::atan(cut.at(k)) * kStringRate / M_PI;
+        CHECK(std::fabs(cents(hz, law.at(k + 1))) < 0.06);
+      }
+    }
+    CHECK(table.cut(10 * L).at(0) == table.cut(100 * L).at(0));
+    CHECK(table.cut(10 * L).row[0] == table.cut(L).row[0]);  // no row beyond the last is read
+    CHECK(table.cut(10 * L).at(0) < table.cut(L).at(0) * (1 + 1e-9));
+    CHECK(table.cut(10 * L).at(0) > table.cut(L).at(0) * 0.9);  // a row further at most
+    CHECK(table.cut(0.1 * shortest).at(0) == table.cut(0.01 * shortest).at(0));
+    CHECK(table.cut(0.1 * shortest).at(0) == doctest::Approx(table.cut(shortest).at(0)));
+  }
 }
 
 TEST_CASE("the first bending mode of a 38 mm rod is at 19, 13, 10 and 5 Hz") {
