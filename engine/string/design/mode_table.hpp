@@ -24,7 +24,7 @@ struct TableCut {
 };
 
 /// tan(pi f / sample rate) of the modes 1...kMaxModes of a free-free rod, exact Timoshenko, between four
-/// diameters and its whole length. Interpolated within 0.02 cents.
+/// diameters and its whole length. Interpolated within 0.06 cents.
 class ModeTable {
  public:
   /// Thread: OFF.
