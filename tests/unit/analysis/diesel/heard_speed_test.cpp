@@ -40,7 +40,8 @@ bool tells(const std::string& text, const std::string& words) {
 
 }  // namespace
 
-TEST_CASE("a diesel's speed is heard within half a per cent, whatever its load") {
+TEST_CASE("a diesel's speed is heard within half a per cent, whatever its load" *
+          doctest::test_suite("long")) {
   std::uint64_t seed = 0;
   for (double rpm = 560; rpm < 3000; rpm *= 1.11) {
     const HeardSpeed heard = heard_speed(diesel_at(rpm, 15, ++seed));
