@@ -6,6 +6,7 @@
 #include "clicks/click_likeness.hpp"
 #include "clicks/drilling_test.hpp"
 #include "clicks/gaps.hpp"
+#include "clicks/heard_band.hpp"
 #include "clicks/repetition.hpp"
 #include "clicks/rhythm.hpp"
 #include "clicks/selection.hpp"
@@ -56,8 +57,10 @@ DrillingEvidence evidence_in(const Segment& whole, const SearchedClip& clip, con
   const PowerSpectrogram power = frames_between(clip.power, first, last);
   e.likeness = click_likeness(power, e.clicks);
   const Eigen::ArrayXf near = frames_near_clicks(e.clicks, power.frames);
-  e.background_alone = mean_divergence(power, clip.background_alone.middleCols(first, power.frames), near);
-  e.with_clicks = mean_divergence(power, with_clicks.middleCols(first, power.frames), near);
+  const long heard = heard_bins(power, click_frames(e.clicks, power.frames));
+  e.background_alone =
+      mean_divergence(power, clip.background_alone.middleCols(first, power.frames), near, heard);
+  e.with_clicks = mean_divergence(power, with_clicks.middleCols(first, power.frames), near, heard);
   return e;
 }
 

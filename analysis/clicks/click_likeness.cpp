@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "clicks/heard_band.hpp"
 #include "clicks/rhythm.hpp"
 #include "numeric/quantile.hpp"
 #include "rigsound/analysis/rate.hpp"
@@ -14,29 +15,30 @@ namespace {
 constexpr int kBands = 19;  // the lowest from the first bin to kSecond_hz, the others as wide in octaves
 constexpr double kSecond_hz = 250, kHighest_hz = 16000;
 constexpr double kAudible = 1e-6;  // of the loudest band
-constexpr double kLongest_s = 0.012, kLongestShare = 0.4;
-constexpr long kBeforeFrom = 3, kBeforeFrames = 2;  // frames: up to where the window reaches the click
+constexpr long kBeforeFrames = 2;
 constexpr double kFloorQuantile = 0.1;
 constexpr int kSweeps = 60;
 constexpr double kLeastRise = -1, kMostRise = 3;  // nepers of power: one silent band is not all
 
-/// Mean power a bin, bands x frames, of the bands that hold anything.
-Eigen::ArrayXXd band_powers(const PowerSpectrogram& power) {
+/// Mean power a bin, bands x frames, of the bands that hold anything and lie below bin `end`.
+Eigen::ArrayXXd band_powers(const PowerSpectrogram& power, long end) {
   Eigen::ArrayXXd bands(kBands, power.frames);
   const double bin_hz = kAnalysisRate / kChainStft.fft;
   const auto edge = [&](int band) {
     const double octaves = std::log2(kHighest_hz / kSecond_hz) * (band - 1) / (kBands - 1);
     return band == 0 ? 1L : static_cast<long>(std::ceil(kSecond_hz * std::exp2(octaves) / bin_hz));
   };
-  for (int band = 0; band < kBands; ++band)
+  int whole = 1;
+  while (whole < kBands && edge(whole + 1) <= end) ++whole;
+  for (int band = 0; band < whole; ++band)
     bands.row(band) = power.P.leftCols(power.frames)
                           .middleRows(edge(band), edge(band + 1) - edge(band))
                           .cast<double>()
                           .colwise()
                           .mean();
-  const Eigen::ArrayXd mean = bands.rowwise().mean();
+  const Eigen::ArrayXd mean = bands.topRows(whole).rowwise().mean();
   long audible = 0;
-  for (int band = 0; band < kBands; ++band)
+  for (int band = 0; band < whole; ++band)
     if (mean(band) > kAudible * mean.maxCoeff()) bands.row(audible++) = bands.row(band).eval();
   return bands.topRows(audible);
 }
@@ -75,21 +77,16 @@ double dispersion(const Eigen::ArrayXXd& E, const Eigen::ArrayXd& quiet) {
 }  // namespace
 
 ClickLikeness click_likeness(const PowerSpectrogram& power, const ClickTrain& clicks) {
-  const Eigen::ArrayXXd bands = band_powers(power);
-  const double longest = std::min(kLongestShare * clicks.mean_gap_samples, kLongest_s * kAnalysisRate);
-  const long length = std::max(2L, static_cast<long>(longest / kChainStft.hop));
-  std::vector<long> onset;
-  for (const int P : clicks.P) {
-    const long frame = std::lround(static_cast<double>(P) / kChainStft.hop);
-    if (frame >= kBeforeFrom && frame + length <= bands.cols()) onset.push_back(frame);
-  }
+  const ClickFrames heard = click_frames(clicks, power.frames);
+  const std::vector<long>& onset = heard.onset;
   if (onset.size() < 2) return {};
+  const Eigen::ArrayXXd bands = band_powers(power, heard_bins(power, heard));
   Eigen::ArrayXXd after(bands.rows(), onset.size()), before(bands.rows(), onset.size());
   for (long i = 0; i < after.cols(); ++i) {
-    after.col(i) = bands.middleCols(onset[i], length).rowwise().mean();
+    after.col(i) = bands.middleCols(onset[i], heard.length).rowwise().mean();
     before.col(i) = bands.middleCols(onset[i] - kBeforeFrom, kBeforeFrames).rowwise().mean();
   }
-  return {dispersion(after, quiet_powers(bands, length)),
+  return {dispersion(after, quiet_powers(bands, heard.length)),
           (after / before).log().max(kLeastRise).min(kMostRise).mean(), rhythm(after.log(), onset)};
 }
 

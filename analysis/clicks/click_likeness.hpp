@@ -14,8 +14,9 @@ struct ClickLikeness {
   double rhythm = 0;  ///< of the band powers, see rhythm()
 };
 
-/// From the powers in 19 bands (below 250 Hz, and up to 16 kHz) over the first 12 ms of a click, or 0.4 T_0
-/// if that is shorter. `power` in frames of kChainStft. No figures from fewer than two clicks. Thread: OFF.
+/// From the powers in 19 bands (below 250 Hz, and up to 16 kHz), as far as the clicks are heard
+/// (heard_bins()), over their first milliseconds (ClickFrames). `power` in frames of kChainStft. No figures
+/// from fewer than two clicks. Thread: OFF.
 ClickLikeness click_likeness(const PowerSpectrogram& power, const ClickTrain& clicks);
 
 }  // namespace rigsound::analysis

@@ -67,11 +67,12 @@ Grid itakura_saito(const PowerSpectrogram& power, const Factors& factors) {
   return ratio - ratio.log() - 1;
 }
 
-double mean_divergence(const PowerSpectrogram& power, const Grid& divergence, const Eigen::ArrayXf& weight) {
-  const Eigen::ArrayXf mean = power.P.rowwise().mean();
+double mean_divergence(const PowerSpectrogram& power, const Grid& divergence, const Eigen::ArrayXf& weight,
+                       long bins) {
+  const Eigen::ArrayXf mean = power.P.topRows(bins).rowwise().mean();
   const Eigen::ArrayXd audible = (mean > kAudiblePower * mean.maxCoeff()).cast<double>();
-  const Eigen::ArrayXd by_bin =
-      (divergence.matrix() * weight.matrix()).cast<double>().array() / std::max(1.0f, weight.sum());
+  const Eigen::ArrayXd by_bin = (divergence.topRows(bins).matrix() * weight.matrix()).cast<double>().array() /
+                                std::max(1.0f, weight.sum());
   return (by_bin * audible).sum() / audible.sum();
 }
 

@@ -5,6 +5,9 @@
 
 #include <cmath>
 
+#include "clicks/heard_band.hpp"
+#include "denoise/factors.hpp"
+
 using namespace rigsound::analysis;
 
 namespace {
@@ -69,6 +72,31 @@ TEST_CASE("a band that holds nothing says nothing") {
   const ClickLikeness limited = click_likeness(power, train());
   CHECK(limited.dispersion < 1e-3);
   CHECK(limited.rise > whole.rise);
+}
+
+TEST_CASE("bands that a codec writes now and then are no figure of the clicks") {
+  // What a codec short of bits keeps of the bins over 7.5 kHz: nothing, one click and background in three.
+  constexpr int kFirst = 80;
+  const auto emptied = [](int every) {
+    PowerSpectrogram power =
+        clicks_in_background([](int click, int bin) { return slope(bin) * (1 + click % 4); });
+    for (int click = 0; click < kClicks; click += every)
+      power.P.bottomRows(257 - kFirst).middleCols(kGap * (click + 1) - 4, kGap / 2).setConstant(1e-7f);
+    return power;
+  };
+  const PowerSpectrogram often = emptied(3), once = emptied(kClicks);
+  CHECK(click_likeness(often, train()).dispersion < 1e-3);
+  CHECK(heard_bins(often, click_frames(train(), often.frames)) == kFirst);
+  CHECK(heard_bins(once, click_frames(train(), once.frames)) == 257);
+}
+
+TEST_CASE("bins over which no click is heard leave the divergence alone") {
+  PowerSpectrogram power;
+  power.frames = 100;
+  power.P = Grid::Ones(10, power.frames);
+  Grid divergence = Grid::Constant(10, power.frames, 0.5f);
+  divergence.bottomRows(4).setConstant(9);
+  CHECK(mean_divergence(power, divergence, Eigen::ArrayXf::Ones(power.frames), 6) == doctest::Approx(0.5));
 }
 
 TEST_CASE("one click resembles nothing") {

@@ -128,7 +128,7 @@ TEST_CASE(
 TEST_CASE("a factorisation of noise by its own power leaves Euler's constant per cell") {
   const PowerSpectrogram power = noisy_power(Grid::Constant(64, 1000, 3.0f), 9);
   const Eigen::ArrayXf everywhere = Eigen::ArrayXf::Ones(1000);
-  CHECK(mean_divergence(power, itakura_saito(power, background_nmf(power)), everywhere) ==
+  CHECK(mean_divergence(power, itakura_saito(power, background_nmf(power)), everywhere, power.bins()) ==
         doctest::Approx(kNoiseDivergence).epsilon(0.01));
 }
 
