@@ -80,7 +80,7 @@ TEST_CASE("each bank is told when it is on disk, before the next is begun") {
   CHECK(told.size() == 3);
 }
 
-TEST_CASE("banks do not depend on jobs and shards") {
+TEST_CASE("banks do not depend on jobs and shards" * doctest::test_suite("long")) {
   const Workplace at;
   write_recordings(at);
   AnalyzerOptions one = options_for(at, "one"), three = options_for(at, "three"),
@@ -141,7 +141,8 @@ TEST_CASE("finished banks are kept, damaged and outdated ones are made again" * 
   }
 }
 
-TEST_CASE("what a person refined is kept when its bank is analysed anew, and said") {
+TEST_CASE("what a person refined is kept when its bank is analysed anew, and said" *
+          doctest::test_suite("long")) {
   const Workplace at;
   write_recordings(at);
   AnalyzerOptions options = options_for(at, "set");

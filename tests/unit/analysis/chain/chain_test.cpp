@@ -146,7 +146,8 @@ TEST_CASE("a clean recording may skip the denoising and keeps its samples") {
   CHECK(si_sdr(c.clean, result.drilling.all()) > 60);
 }
 
-TEST_CASE("a long recording is one train, the same for any number of jobs and on every run") {
+TEST_CASE("a long recording is one train, the same for any number of jobs and on every run" *
+          doctest::test_suite("long")) {
   const Case c = clip(105, 6, 9);
   ChainOptions options;
   const ChainResult one = run_chain(c.mix, options);

@@ -72,7 +72,8 @@ bool mentions(const std::vector<std::string>& lines, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("laws of level and rate are measured, and what is heard lies where its size says") {
+TEST_CASE("laws of level and rate are measured, and what is heard lies where its size says" *
+          doctest::test_suite("long")) {
   std::atomic<int> calls{0};
   int last = 0, last_of = 0;
   const RenderSound render = rendered_by({0.2, 0}, {0, 0.006});
@@ -103,7 +104,7 @@ TEST_CASE("laws of level and rate are measured, and what is heard lies where its
     if (f.feed_bar > 94) CHECK(f.third_octave_db == doctest::Approx(0.2 * (f.feed_bar - 90)).epsilon(0.3));
 }
 
-TEST_CASE("a copied bank is named, and that nothing is heard at any feed") {
+TEST_CASE("a copied bank is named, and that nothing is heard at any feed" * doctest::test_suite("long")) {
   ContrastPlan copied = plan();
   copied.situations[2].banks = {"a"};
   const Contrast c = measure_contrast(copied, options(), rendered_by({0, 0}, {0.2, 0}), [](int, int) {});
@@ -122,7 +123,8 @@ TEST_CASE("a copied bank is named, and that nothing is heard at any feed") {
   CHECK(mentions(contrast_verdicts(c), "Not told apart: normal and overfeed."));
 }
 
-TEST_CASE("figures do not depend on how many jobs make them, and the page holds all of it") {
+TEST_CASE("figures do not depend on how many jobs make them, and the page holds all of it" *
+          doctest::test_suite("long")) {
   ContrastOptions one = options();
   one.seconds = 4, one.runs = 2, one.jobs = 1;
   ContrastOptions two = one;

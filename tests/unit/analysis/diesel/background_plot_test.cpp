@@ -23,7 +23,8 @@ std::size_t count(const std::string& text, const std::string& word) {
 
 }  // namespace
 
-TEST_CASE("a diesel of many speeds is drawn in 0.2 MB, recorded and modelled apart") {
+TEST_CASE("a diesel of many speeds is drawn in 0.2 MB, recorded and modelled apart" *
+          doctest::test_suite("long")) {
   constexpr std::size_t kSpeeds = 13, kRows = 12, kOctaves = 6;
   DieselModel model = default_diesel();
   model.points.resize(1);

@@ -50,7 +50,8 @@ TEST_CASE("a diesel's speed is heard within half a per cent, whatever its load" 
   }
 }
 
-TEST_CASE("of a short recording of a slow diesel the speed is heard, or said to be unsure") {
+TEST_CASE("of a short recording of a slow diesel the speed is heard, or said to be unsure" *
+          doctest::test_suite("long")) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const HeardSpeed heard = heard_speed(diesel_at(480, 8, seed));
     CHECK((heard.confidence < 0.7 || heard.rpm == doctest::Approx(480).epsilon(0.005)));
@@ -70,7 +71,7 @@ TEST_CASE("a speed that nobody gave is heard and told") {
   CHECK(tells(said_at(draw.normals(15 * 48000), 0), "expected --rpm"));
 }
 
-TEST_CASE("who gives a wrong speed is told the right one") {
+TEST_CASE("who gives a wrong speed is told the right one" * doctest::test_suite("long")) {
   const std::vector<double> slow = diesel_at(800, 15, 4), fast = diesel_at(1500, 15, 4);
   CHECK(tells(said_at(slow, 900), "repeats at 80"));
   CHECK(tells(said_at(fast, 500), "repeats at 1"));  // a third of it

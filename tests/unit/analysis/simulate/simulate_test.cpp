@@ -160,7 +160,8 @@ std::vector<double> recorded(const SituationRecording& r) {
 
 }  // namespace
 
-TEST_CASE("any two situations are 3 dB of third-octave levels or 5 % of rate apart, background and all") {
+TEST_CASE("any two situations are 3 dB of third-octave levels or 5 % of rate apart, background and all" *
+          doctest::test_suite("long")) {
   for (const std::uint64_t seed : {1, 8}) {
     std::vector<SituationRecording> all;
     for (int i = 0; i < kSituationCount; ++i)
@@ -179,7 +180,8 @@ TEST_CASE("any two situations are 3 dB of third-octave levels or 5 % of rate apa
   }
 }
 
-TEST_CASE("along the feed the clicks follow the laws: norm, spacing and decay, rods shift them") {
+TEST_CASE("along the feed the clicks follow the laws: norm, spacing and decay, rods shift them" *
+          doctest::test_suite("long")) {
   const DrillingLaws laws(5);
   const auto made = [&](double feed_bar, int rods) {
     DrillingCourse course;

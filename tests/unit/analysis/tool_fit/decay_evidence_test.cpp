@@ -78,7 +78,8 @@ Tally tally(const Blow& blow, int seeds) {
 
 }  // namespace
 
-TEST_CASE("the true decay lies within the 95 % bounds at every length and level of noise") {
+TEST_CASE("the true decay lies within the 95 % bounds at every length and level of noise" *
+          doctest::test_suite("long")) {
   Tally all;
   for (const double t60_s : {0.08, 0.3, 1.2})
     for (const double length_s : {0.04, 0.162, 0.5})
@@ -112,7 +113,8 @@ TEST_CASE("the level of a band is the impact's where it stands out of the noise"
   CHECK_FALSE(loud.band(16000).share.told());
 }
 
-TEST_CASE("a recording that tells too few decays is refused, and says what it is short of") {
+TEST_CASE("a recording that tells too few decays is refused, and says what it is short of" *
+          doctest::test_suite("long")) {
   const auto recording = [](const Blow& blow) {
     Recording r;
     r.source_rate = static_cast<int>(kAnalysisRate);

@@ -34,7 +34,8 @@ Recording recorded(const ToolModel& model) {
 
 }  // namespace
 
-TEST_CASE("length, diameter, decays and spectrum of a known steel are found in its recorded impact") {
+TEST_CASE("length, diameter, decays and spectrum of a known steel are found in its recorded impact" *
+          doctest::test_suite("long")) {
   ToolModel truth;
   truth.bar = {0.5, 0.025};
   truth.transversal.reflection_min = 0.95, truth.transversal.reflection_max = 0.98,
