@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "rigsound/dsp/fft.hpp"
-#include "rigsound/dsp/linear_prediction.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -39,13 +38,7 @@ SubbandSpectrum subband_spectrum(const Subband& d, double variance, int order) {
   SubbandSpectrum spectrum;
   spectrum.variance = variance;
   if (order <= 0 || d.size() < kCoefficientsAnOrder * static_cast<std::size_t>(order)) return spectrum;
-  std::vector<double> r;
-  for (std::size_t lag = 0; lag <= static_cast<std::size_t>(order); ++lag) {
-    double sum = lag == 0 ? 1e-30 : 0;
-    for (std::size_t i = 0; i + lag < d.size(); ++i) sum += d[i] * d[i + lag];
-    r.push_back(sum);
-  }
-  const dsp::LinearPrediction model = dsp::levinson(r);
+  const dsp::LinearPrediction model = prediction_of(d, order);
   spectrum.predictor = model.a;
   spectrum.gain = model.error;
   return spectrum;

@@ -108,9 +108,7 @@ class NoteSynthesis {
   /// The scaling coefficients without their mean.
   Subband slow_part(std::size_t q, double& mean) const {
     Subband slow = read(c_.a, steady_rows(c_.shape.N, first_, last_), q);
-    mean = 0;
-    for (const double v : slow) mean += v / static_cast<double>(slow.size());
-    for (double& v : slow) v -= mean;
+    mean = take_mean(slow);
     return slow;
   }
 

@@ -4,14 +4,29 @@
 #include <cmath>
 #include <utility>
 
-#include "rigsound/dsp/linear_prediction.hpp"
-
 namespace rigsound::analysis {
 
 double power_of(const Subband& d) {
   double sum = 0;
   for (const double v : d) sum += v * v;
   return d.empty() ? 0 : sum / static_cast<double>(d.size());
+}
+
+double take_mean(Subband& d) {
+  double mean = 0;
+  for (const double v : d) mean += v / static_cast<double>(d.size());
+  for (double& v : d) v -= mean;
+  return mean;
+}
+
+dsp::LinearPrediction prediction_of(const Subband& d, int order) {
+  std::vector<double> r;
+  for (std::size_t lag = 0; lag <= static_cast<std::size_t>(order); ++lag) {
+    double sum = lag == 0 ? 1e-30 : 0;
+    for (std::size_t i = 0; i + lag < d.size(); ++i) sum += d[i] * d[i + lag];
+    r.push_back(sum);
+  }
+  return dsp::levinson(r);
 }
 
 double OneOverF::variance(int n) const { return std::exp2(level + gamma * n); }
@@ -41,13 +56,7 @@ Subband noise_like(const Subband& original, const NoiseShape& shape, std::mt1993
   if (!coloured) {
     for (std::size_t i = 0; i < size; ++i) z.push_back(std::sqrt(shape.variance) * normal(chance));
   } else {
-    std::vector<double> r;
-    for (std::size_t lag = 0; lag <= static_cast<std::size_t>(shape.order); ++lag) {
-      double sum = lag == 0 ? 1e-30 : 0;
-      for (std::size_t i = 0; i + lag < size; ++i) sum += original[i] * original[i + lag];
-      r.push_back(sum);
-    }
-    const dsp::LinearPrediction model = dsp::levinson(r);
+    const dsp::LinearPrediction model = prediction_of(original, shape.order);
     const double gain = std::sqrt(std::max(0.0, model.error) * shape.variance);
     const std::size_t settle = 8 * static_cast<std::size_t>(shape.order) + 32;
     Subband y(size + settle, 0.0);
@@ -74,9 +83,7 @@ Subband with_energy_of(const Subband& original, Subband noise, int coefficients)
 }
 
 Subband as_strong_as(const Subband& original, Subband noise) {
-  double mean = 0;
-  for (const double v : noise) mean += v / static_cast<double>(noise.size());
-  for (double& v : noise) v -= mean;
+  take_mean(noise);
   const double gain = std::sqrt(power_of(original) / (power_of(noise) + 1e-300));
   for (double& v : noise) v *= gain;
   return noise;

@@ -4,6 +4,8 @@
 #include <random>
 #include <vector>
 
+#include "rigsound/dsp/linear_prediction.hpp"
+
 namespace rigsound::analysis {
 
 /// One channel of one scale, as it was.
@@ -25,6 +27,12 @@ struct NoiseShape {
   int order = 0;   ///< of the AR filter; 0: white
   int window = 0;  ///< coefficients that share an energy; 0: all
 };
+
+/// Takes the mean out of `d` and returns it. Thread: OFF.
+double take_mean(Subband& d);
+
+/// All-pole model of `order` from the autocorrelation of `d`. Thread: OFF.
+dsp::LinearPrediction prediction_of(const Subband& d, int order);
 
 /// As many coefficients as `original`, Gaussian, of the variance given, coloured by its autocorrelation and
 /// following its energy. Thread: OFF.
