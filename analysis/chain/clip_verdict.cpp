@@ -55,9 +55,10 @@ DrillingEvidence evidence_in(const Segment& whole, const SearchedClip& clip, con
   const int first = static_cast<int>(window.begin / kChainStft.hop),
             last = std::min(static_cast<int>(window.end / kChainStft.hop) + 1, clip.power.frames);
   const PowerSpectrogram power = frames_between(clip.power, first, last);
-  e.likeness = click_likeness(power, e.clicks);
+  const ClickFrames clicks = click_frames(e.clicks, power.frames);
+  const long heard = heard_bins(power, clicks);
+  e.likeness = click_likeness(power, clicks, heard);
   const Eigen::ArrayXf near = frames_near_clicks(e.clicks, power.frames);
-  const long heard = heard_bins(power, click_frames(e.clicks, power.frames));
   e.background_alone =
       mean_divergence(power, clip.background_alone.middleCols(first, power.frames), near, heard);
   e.with_clicks = mean_divergence(power, with_clicks.middleCols(first, power.frames), near, heard);

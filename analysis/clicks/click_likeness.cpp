@@ -4,7 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "clicks/heard_band.hpp"
 #include "clicks/rhythm.hpp"
 #include "numeric/quantile.hpp"
 #include "rigsound/analysis/rate.hpp"
@@ -76,17 +75,16 @@ double dispersion(const Eigen::ArrayXXd& E, const Eigen::ArrayXd& quiet) {
 
 }  // namespace
 
-ClickLikeness click_likeness(const PowerSpectrogram& power, const ClickTrain& clicks) {
-  const ClickFrames heard = click_frames(clicks, power.frames);
-  const std::vector<long>& onset = heard.onset;
+ClickLikeness click_likeness(const PowerSpectrogram& power, const ClickFrames& clicks, long heard) {
+  const std::vector<long>& onset = clicks.onset;
   if (onset.size() < 2) return {};
-  const Eigen::ArrayXXd bands = band_powers(power, heard_bins(power, heard));
+  const Eigen::ArrayXXd bands = band_powers(power, heard);
   Eigen::ArrayXXd after(bands.rows(), onset.size()), before(bands.rows(), onset.size());
   for (long i = 0; i < after.cols(); ++i) {
-    after.col(i) = bands.middleCols(onset[i], heard.length).rowwise().mean();
+    after.col(i) = bands.middleCols(onset[i], clicks.length).rowwise().mean();
     before.col(i) = bands.middleCols(onset[i] - kBeforeFrom, kBeforeFrames).rowwise().mean();
   }
-  return {dispersion(after, quiet_powers(bands, heard.length)),
+  return {dispersion(after, quiet_powers(bands, clicks.length)),
           (after / before).log().max(kLeastRise).min(kMostRise).mean(), rhythm(after.log(), onset)};
 }
 

@@ -1,7 +1,7 @@
 // Do the clicks resemble one another?
 #pragma once
 
-#include "rigsound/analysis/click_train.hpp"
+#include "clicks/heard_band.hpp"
 #include "spectrum/power_spectrogram.hpp"
 
 namespace rigsound::analysis {
@@ -14,9 +14,9 @@ struct ClickLikeness {
   double rhythm = 0;  ///< of the band powers, see rhythm()
 };
 
-/// From the powers in 19 bands (below 250 Hz, and up to 16 kHz), as far as the clicks are heard
-/// (heard_bins()), over their first milliseconds (ClickFrames). `power` in frames of kChainStft. No figures
+/// From the powers in 19 bands (below 250 Hz, and up to 16 kHz) that lie whole in the first `heard` bins
+/// (heard_bins()), over the clicks' first milliseconds. `power` in frames of kChainStft. No figures
 /// from fewer than two clicks. Thread: OFF.
-ClickLikeness click_likeness(const PowerSpectrogram& power, const ClickTrain& clicks);
+ClickLikeness click_likeness(const PowerSpectrogram& power, const ClickFrames& clicks, long heard);
 
 }  // namespace rigsound::analysis

@@ -39,12 +39,17 @@ ClickTrain train() {
 
 double slope(int bin) { return 30 * std::exp(-bin / 60.0); }
 
+ClickLikeness likeness_of(const PowerSpectrogram& power, const ClickTrain& clicks) {
+  const ClickFrames frames = click_frames(clicks, power.frames);
+  return click_likeness(power, frames, heard_bins(power, frames));
+}
+
 }  // namespace
 
 TEST_CASE("clicks of one spectrum resemble one another, whatever their strength") {
   const auto power = clicks_in_background(
       [](int click, int bin) { return slope(bin) * std::exp(std::sin(static_cast<double>(click))); });
-  CHECK(click_likeness(power, train()).dispersion < 1e-3);
+  CHECK(likeness_of(power, train()).dispersion < 1e-3);
 }
 
 TEST_CASE("clicks of two kinds do not: the divergence of their mixture from its mean") {
@@ -54,22 +59,22 @@ TEST_CASE("clicks of two kinds do not: the divergence of their mixture from its 
       clicks_in_background([](int click, int bin) { return (bin > 21) == (click % 2 == 0) ? 99.0 : 0.0; });
   const double high = 100.0 / 50.5, low = 1.0 / 50.5;
   const double expected = 0.5 * ((high - std::log(high) - 1) + (low - std::log(low) - 1));
-  CHECK(click_likeness(power, train()).dispersion == doctest::Approx(expected).epsilon(0.02));
+  CHECK(likeness_of(power, train()).dispersion == doctest::Approx(expected).epsilon(0.02));
 }
 
 TEST_CASE("the rise is that of the bands at the clicks, in nepers of power") {
   const auto power = clicks_in_background([](int, int) { return std::exp(1.5) - 1; });
-  CHECK(click_likeness(power, train()).rise == doctest::Approx(1.5));
+  CHECK(likeness_of(power, train()).rise == doctest::Approx(1.5));
   const auto silent = clicks_in_background([](int, int) { return 0.0; });
-  CHECK(click_likeness(silent, train()).rise == doctest::Approx(0));
+  CHECK(likeness_of(silent, train()).rise == doctest::Approx(0));
 }
 
 TEST_CASE("a band that holds nothing says nothing") {
   const auto all = [](int click, int bin) { return slope(bin) * (1 + click % 3); };
   PowerSpectrogram power = clicks_in_background(all);
-  const ClickLikeness whole = click_likeness(power, train());
+  const ClickLikeness whole = likeness_of(power, train());
   power.P.bottomRows(150).setConstant(1e-8f);
-  const ClickLikeness limited = click_likeness(power, train());
+  const ClickLikeness limited = likeness_of(power, train());
   CHECK(limited.dispersion < 1e-3);
   CHECK(limited.rise > whole.rise);
 }
@@ -85,7 +90,7 @@ TEST_CASE("bands that a codec writes now and then are no figure of the clicks") 
     return power;
   };
   const PowerSpectrogram often = emptied(3), once = emptied(kClicks);
-  CHECK(click_likeness(often, train()).dispersion < 1e-3);
+  CHECK(likeness_of(often, train()).dispersion < 1e-3);
   CHECK(heard_bins(often, click_frames(train(), often.frames)) == kFirst);
   CHECK(heard_bins(once, click_frames(train(), once.frames)) == 257);
 }
@@ -103,5 +108,5 @@ TEST_CASE("one click resembles nothing") {
   ClickTrain one = train();
   one.P.resize(1);
   const auto power = clicks_in_background([](int, int bin) { return slope(bin); });
-  CHECK(click_likeness(power, one).dispersion == 0);
+  CHECK(likeness_of(power, one).dispersion == 0);
 }
