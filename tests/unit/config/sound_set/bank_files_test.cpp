@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "config/sound_set/example_bank.hpp"
+#include "replaced.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "sound_set/bank_resampling.hpp"
 #include "temporary_folder.hpp"
@@ -19,10 +20,7 @@ namespace {
 const config::Provenance kProvenance{"quarry \"A\".wav", std::string(64, 'a'), "denoise=on seed=0", "0.1.0"};
 
 void replace(const fs::path& file, std::string_view old_text, std::string_view new_text) {
-  std::string text = content(file);
-  const std::size_t at = text.find(old_text);
-  REQUIRE(at != std::string::npos);
-  text.replace(at, old_text.size(), new_text);
+  const std::string text = replaced(content(file), old_text, new_text);
   std::ofstream(file, std::ios::binary) << text;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "config/sound_set/example_bank.hpp"
+#include "replaced.hpp"
 #include "rigsound/machine/fields.hpp"
 #include "temporary_folder.hpp"
 
@@ -25,12 +26,6 @@ Refinement without(std::vector<int> clicks) {
 std::string refusal(int clicks, std::vector<int> dropped) {
   return test::complaint(
       [&] { refined(test::example_bank("a", 48000, clicks), without(std::move(dropped))); });
-}
-
-std::string with(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
 }
 
 }  // namespace
@@ -92,9 +87,10 @@ TEST_CASE("a file that says what cannot be is refused with its key") {
     return test::complaint([&] { load_refinement(folder.path); });
   };
   CHECK(complaint(good).empty());
-  CHECK(complaint(with(good, "\"format\": 1", "\"format\": 2")).find("format") != std::string::npos);
-  CHECK(complaint(with(good, "\"trim_db\": 0.0", "\"trim_db\": 24.5")).find("trim_db: ") !=
+  CHECK(complaint(test::replaced(good, "\"format\": 1", "\"format\": 2")).find("format") !=
         std::string::npos);
-  CHECK(complaint(with(good, "\"decay_factor\": 1.0", "\"decay_factor\": 0.0"))
+  CHECK(complaint(test::replaced(good, "\"trim_db\": 0.0", "\"trim_db\": 24.5")).find("trim_db: ") !=
+        std::string::npos);
+  CHECK(complaint(test::replaced(good, "\"decay_factor\": 1.0", "\"decay_factor\": 0.0"))
             .find("controls.decay_factor: ") != std::string::npos);
 }
