@@ -16,6 +16,8 @@ using namespace rigsound::tests;
 
 namespace {
 
+const double kZ = M_PI / 4 * 0.038 * 0.038 * 7850 * 5200;  // of the plain string, kg/s
+
 StringInput steady(double contact, double rock = 2e8) {
   StringInput input;
   input.contact = contact;
@@ -82,14 +84,14 @@ double largest(const std::vector<double>& x) {
 TEST_CASE("rock loads the bit in Z / k, the feed closes the gap that a mean blow crosses at half of it") {
   StringModel model = plain_string();
   model.bending_mix = 0;
-  const double Z = M_PI / 4 * 0.038 * 0.038 * 7850 * 5200, width = model.strike_width_s * kStringRate;
+  const double width = model.strike_width_s * kStringRate;
   for (const double contact : {1.0, 0.75, 0.5, 0.25, 0.0})
     for (const double rock : {5e7, 1e9}) {
       StringLayer layer(model, kStringRate, 1, 0);
       played(layer, steady(contact, rock), Blows(2000, Impact{0, 0, 0}));
       const std::vector<double> sound = played(layer, steady(contact, rock), one_blow(200));
       const double gap = contact == 0 ? -1 : contact == 0.5 ? width : width * (1 / contact - 1);
-      const std::vector<double> wanted = waves(model, contact, Z / rock * kStringRate, gap, one_blow(200));
+      const std::vector<double> wanted = waves(model, contact, kZ / rock * kStringRate, gap, one_blow(200));
       CAPTURE(contact);
       CAPTURE(rock);
       REQUIRE(largest(wanted) > 0.001);
@@ -102,7 +104,6 @@ TEST_CASE("rock loads the bit in Z / k, the feed closes the gap that a mean blow
 TEST_CASE("contact comes and goes within 20 ms, the rock's stiffness with a time constant of 20 ms") {
   StringModel model = plain_string();
   model.bending_mix = 0;
-  const double Z = M_PI / 4 * 0.038 * 0.038 * 7850 * 5200;
   StringLayer layer(model, kStringRate, 1, 0);
   played(layer, steady(0, 1e9), Blows(2000, Impact{0, 0, 0}));
   played(layer, steady(1, 1e9), Blows(30, Impact{0, 0, 0}));  // 20 ms
@@ -110,7 +111,7 @@ TEST_CASE("contact comes and goes within 20 ms, the rock's stiffness with a time
   const Blows ringing = one_blow(100);
   std::vector<double> sound = played(there, steady(1, 1e9), ringing);
   CHECK(largest(sound) > 0);
-  const std::vector<double> pressed = waves(model, 1, Z / 1e9 * kStringRate, 0, ringing);
+  const std::vector<double> pressed = waves(model, 1, kZ / 1e9 * kStringRate, 0, ringing);
   for (std::size_t n = 0; n < sound.size(); ++n) REQUIRE(sound[n] == doctest::Approx(pressed[n]).scale(0.01));
 
   // A millisecond later softer rock is felt by 1 - e^-1/20 of the way.
@@ -119,7 +120,7 @@ TEST_CASE("contact comes and goes within 20 ms, the rock's stiffness with a time
   played(late, steady(1, 1e8), Blows(60, Impact{0, 0, 0}));
   const auto of = [&](const StringLayer& after, double left) {
     StringLayer copy = after;
-    const double hard = Z / 1e9 * kStringRate, soft = Z / 1e8 * kStringRate;
+    const double hard = kZ / 1e9 * kStringRate, soft = kZ / 1e8 * kStringRate;
     const std::vector<double> got = played(copy, steady(1, 1e8), one_blow(60));
     const std::vector<double> wanted = waves(model, 1, soft + (hard - soft) * left, 0, one_blow(60));
     double error = 0;
