@@ -1,6 +1,6 @@
 #include "annotate/change_points.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <limits>
 
@@ -100,8 +100,7 @@ Eigen::MatrixXd whitening_of(const Eigen::ArrayXXd& series, long block, const Ei
   const double few = static_cast<double>(2 * rows) / static_cast<double>(2 * rows + count);
   Eigen::MatrixXd shrunk = (1 - few) * covariance;
   shrunk.diagonal() = covariance.diagonal() + floor.square().matrix();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(shrunk);
-  return solver.operatorInverseSqrt();
+  return shrunk.llt().matrixL().solve(Eigen::MatrixXd::Identity(rows, rows));
 }
 
 }  // namespace rigsound::analysis
