@@ -7,14 +7,14 @@ namespace rigsound::analysis {
 namespace {
 
 // Energies are followed on a grid of 16 samples: eight points a hop, 1/32 of the window.
-constexpr int kStep = 16;
+constexpr int kStep = 16, kHalfWindow = kChainStft.window / 2;
 constexpr double kSlowestShare = 0.4, kSlowest = 0.5, kFastest = 12;
 
 /// beta_i^2 shared between the two grid points around P_i. Grid point 0 is half a window before sample 0.
 Eigen::ArrayXd impulses(const ClickTrain& train, int points) {
   Eigen::ArrayXd impulse = Eigen::ArrayXd::Zero(points);
   for (size_t i = 0; i < train.P.size(); ++i) {
-    const double at = static_cast<double>(train.P[i] + kChainStft.window / 2) / kStep;
+    const double at = static_cast<double>(train.P[i] + kHalfWindow) / kStep;
     const int k = static_cast<int>(std::floor(at));
     if (k < 0 || k + 1 >= points) continue;
     const double energy = train.beta[i] * train.beta[i];

@@ -119,16 +119,18 @@ std::string page(const VerbText& verb, const std::string& name, const std::strin
          kExitCodes + (setting.section == "1" ? kSignalCodes : "");
 }
 
+std::string file_name(const std::string& page, const std::string& section) { return page + "." + section; }
+
 }  // namespace
 
 std::vector<Page> man_pages(const VerbText& program, const std::string& version, const std::string& section) {
   const Setting setting{version, section};
-  std::vector<Page> pages{{program.name + "." + section,
+  std::vector<Page> pages{{file_name(program.name, section),
                            page(program, program.name, program.name, verb_list(program, section), setting)}};
   for (const VerbText& verb : program.verbs) {
     const std::string name = program.name + "-" + verb.name, called = program.name + " " + verb.name;
     pages.push_back(
-        {name + "." + section, page(verb, name, called, command_sections(verb, called), setting)});
+        {file_name(name, section), page(verb, name, called, command_sections(verb, called), setting)});
   }
   return pages;
 }

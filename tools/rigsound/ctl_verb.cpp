@@ -99,7 +99,7 @@ void print_changes(const std::string& time, const std::string& path, const Json&
     return fmt::print("{} {} {}\n", time, path, value);
   }
   for (const auto& [key, value] : change.items())
-    print_changes(time, path.empty() ? key : path + "." + key, value);
+    print_changes(time, path.empty() ? key : fmt::format("{}.{}", path, key), value);
 }
 
 // Ends by Ctrl-C.

@@ -1,5 +1,6 @@
 #include "osc_output.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "rigsound/osc/address_space.hpp"
@@ -15,7 +16,7 @@ constexpr std::size_t kMostOfBundle = 40;  // of some 40 bytes: fits a packet of
 /// Every number, word and truth of `part` at `name` and the names below; lists are left out.
 void add(std::vector<osc::Value>& values, const std::string& name, const Json& part) {
   if (part.is_object())
-    for (const auto& [key, value] : part.items()) add(values, name + "." + key, value);
+    for (const auto& [key, value] : part.items()) add(values, fmt::format("{}.{}", name, key), value);
   else if (part.is_boolean())
     values.push_back({osc::path_of(name), part.get<bool>() ? 1 : 0});
   else if (part.is_number())

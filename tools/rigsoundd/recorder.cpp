@@ -20,7 +20,7 @@ void Recorder::expect_run(const session::SessionHeader& header) {
 
 session::SessionHeader Recorder::take_expected(std::uint32_t run) {
   const std::lock_guard<std::mutex> lock(expecting_);
-  const session::SessionHeader header = expected_[run];
+  session::SessionHeader header = expected_[run];
   expected_.erase(expected_.begin(), expected_.upper_bound(run));
   return header;
 }

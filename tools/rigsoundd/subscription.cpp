@@ -82,7 +82,7 @@ Json merge_patch(const Json& before, const Json& after) {
 }
 
 std::string topic_named(const Json& given) {
-  const std::string name = given.is_string() ? given.get<std::string>() : given.dump();
+  std::string name = given.is_string() ? given.get<std::string>() : given.dump();
   if (std::find(kTopics.begin(), kTopics.end(), name) != kTopics.end()) return name;
   const std::string_view near = config::nearest_word(name, kTopics);
   throw Refused(near.empty() ? fmt::format("topics: {}: is none, expected {}", name, fmt::join(kTopics, ", "))

@@ -30,6 +30,7 @@ extern "C" {
 
 enum { RIGSOUND_OK = 0, RIGSOUND_REFUSED = -1 };
 
+/* NOLINTBEGIN(modernize-use-using): it is C. */
 /** A rig that sounds. */
 typedef struct rigsound_handle rigsound_handle;
 
@@ -46,6 +47,7 @@ typedef struct rigsound_drilling {
   int hammering;         /**< 0: the hammer rests */
   float impacts_hz;      /**< counted over the last second of sound */
 } rigsound_drilling;
+/* NOLINTEND(modernize-use-using) */
 
 /** Version of the library, "1.2.3". Thread: any. */
 RIGSOUND_API const char* rigsound_version(void);

@@ -75,8 +75,8 @@ Jobs::~Jobs() {
   {
     const std::lock_guard lock(mutex_);
     jobs.assign(jobs_.begin(), jobs_.end());
+    for (const auto& job : jobs) stop(*job);
   }
-  for (const auto& job : jobs) stop(job->id);
   for (const auto& job : jobs)
     if (job->thread.joinable()) job->thread.join();
 }
@@ -162,10 +162,13 @@ Json Jobs::all() const {
 
 void Jobs::stop(const std::string& id) {
   const std::lock_guard lock(mutex_);
-  const std::shared_ptr<Job> job = find(id);
-  if (job->ended()) return;
-  job->stopped = true;
-  if (job->stop) job->stop();
+  stop(*find(id));
+}
+
+void Jobs::stop(Job& job) {
+  if (job.ended()) return;
+  job.stopped = true;
+  if (job.stop) job.stop();
   changed_.notify_all();
 }
 

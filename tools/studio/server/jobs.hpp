@@ -57,6 +57,7 @@ class Jobs {
   class Control;
 
   std::shared_ptr<Job> find(const std::string& id) const;
+  void stop(Job& job);  ///< mutex_ is held
   void run(Job& job, const Work& work);
   void forget_old();
 
