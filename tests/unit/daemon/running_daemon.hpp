@@ -80,7 +80,7 @@ class Line {
       REQUIRE(got > 0);
       text_.append(bytes, static_cast<std::size_t>(got));
     }
-    const nlohmann::json said = nlohmann::json::parse(text_.substr(0, end));
+    nlohmann::json said = nlohmann::json::parse(text_.substr(0, end));
     text_.erase(0, end + 1);
     return said;
   }
