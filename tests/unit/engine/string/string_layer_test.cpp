@@ -108,6 +108,12 @@ TEST_CASE("between its losses at the shank a string keeps its energy, wherever t
   }
 }
 
+TEST_CASE("a string at rest holds no energy, with sleeves and fractions of a sample too") {
+  const StringModel model = plain_string(1.83, 0.038, 3);
+  REQUIRE(tune_string(model, 3, kStringRate).has_fractions);
+  CHECK(LongitudinalString(model, kStringRate, tool::widest_lanes()).energy() == 0);
+}
+
 TEST_CASE("the wider the gap the feed leaves, the more the string rings on") {
   for (const double rock : {5e7, 2e8, 2e9})
     for (const int rods : {1, 6, 20}) {
