@@ -46,6 +46,12 @@ TEST_CASE("A clock that was set, forward or back, goes on from there") {
   CHECK(back.notes()[0].text.find("backwards by 90.0 s") != std::string::npos);
 }
 
+TEST_CASE("A pause of a day is one, a longer one is a clock that was set") {
+  constexpr double kDay_ms = 86'400'000;
+  CHECK(placed({0, 10, 10 + kDay_ms}) == Times{0, 10, 10 + kDay_ms});
+  CHECK(placed({0, 10, 11 + kDay_ms}) == Times{0, 10, 20});
+}
+
 TEST_CASE("A stamp that alone is wrong lies between its neighbours") {
   for (const double wrong : {0.0, 5000.0, 1e12}) {
     CAPTURE(wrong);
