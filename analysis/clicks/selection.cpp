@@ -36,17 +36,20 @@ double edge_cost(double silence, double T_0) { return kMissCost * std::min(3.0, 
 struct Step {
   double total;
   int previous;
+  double best_so_far = 0;  ///< of the totals up to here
 };
 
 /// The best chain that ends at candidate i, given those before it. `pause`: the best that ended over
-/// kLongestGap ago, -1 for none.
+/// kLongestGap ago, -1 for none. No gap costs less than nothing: where the best total up to j would not do,
+/// none before it does.
 Step best_step(const std::vector<int>& time, const std::vector<Step>& steps, int i, int pause, double score,
                const GapCosts& costs) {
   Step best{score - edge_cost(time[i], costs.T_0), -1};
   if (pause >= 0 && steps[pause].total + score - kPauseCost > best.total)
     best = {steps[pause].total + score - kPauseCost, pause};
   const auto longest = static_cast<int>(costs.of_gap.size());
-  for (int j = i - 1; j >= 0 && time[i] - time[j] < longest; --j) {
+  for (int j = i - 1; j >= 0 && time[i] - time[j] < longest && steps[j].best_so_far + score > best.total;
+       --j) {
     const double total = steps[j].total + score - costs.of_gap[time[i] - time[j]];
     if (total > best.total) best = {total, j};
   }
@@ -126,7 +129,9 @@ Chain best_chain(const std::vector<int>& time, const std::vector<double>& score,
   for (int i = 0; i < static_cast<int>(time.size()); ++i) {
     for (; time[i] - time[waiting] > kLongestGap * T_0; ++waiting)
       if (pause < 0 || steps[waiting].total > steps[pause].total) pause = waiting;
-    steps.push_back(best_step(time, steps, i, pause, score[i], costs));
+    Step step = best_step(time, steps, i, pause, score[i], costs);
+    step.best_so_far = i > 0 ? std::max(steps[i - 1].best_so_far, step.total) : step.total;
+    steps.push_back(step);
     const double total = steps[i].total - edge_cost(static_cast<double>(length - time[i]), T_0);
     if (total > best_total) best_total = total, best = i;
   }
