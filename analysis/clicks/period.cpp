@@ -6,6 +6,7 @@
 #include <set>
 
 #include "clicks/candidates.hpp"
+#include "kernels/click_kernels.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -15,12 +16,16 @@ constexpr int kPeaks = 4;
 
 /// Unbiased autocorrelation over r(0), lags 0 … last.
 Eigen::ArrayXd autocorrelation(const Eigen::ArrayXd& x, long last) {
-  const Eigen::ArrayXd centred = x - x.mean();
   const long n = x.size();
-  Eigen::ArrayXd r(last + 1);
-  for (long lag = 0; lag <= last; ++lag)
-    r(lag) = (centred.head(n - lag) * centred.tail(n - lag)).sum() / static_cast<double>(n - lag);
-  return r / std::max(r(0), 1e-30);
+  Eigen::ArrayXd centred = Eigen::ArrayXd::Zero(n + 1), r(last + 2);  // a zero behind: lags go by twos
+  centred.head(n) = x - x.mean();
+  for (long lag = 0; lag <= last; lag += 2) {
+    const double* from = centred.data() + lag;
+    const PairOfSums sums = click_kernels().products(centred.data(), from, from + 1, n - lag);
+    r(lag) = sums.first / static_cast<double>(n - lag);
+    r(lag + 1) = sums.second / static_cast<double>(n - lag - 1);
+  }
+  return r.head(last + 1) / std::max(r(0), 1e-30);
 }
 
 Eigen::ArrayXd averaged_over_spread(const Eigen::ArrayXd& r, long first, long last) {
