@@ -60,8 +60,7 @@ Eigen::ArrayXd sampled_power(const EnvelopePower& shape) {
 }
 
 Eigen::ArrayXd shift_costs(const Eigen::ArrayXd& q, const Eigen::ArrayXd& v, const EnvelopePower& shape,
-                           long onset, double power, const ShiftRange& range) {
-  const Eigen::ArrayXd a2 = sampled_power(shape);
+                           const Eigen::ArrayXd& a2, long onset, double power, const ShiftRange& range) {
   const long first = std::max(0L, onset - range.reach), last = std::min<long>(v.size(), onset + a2.size());
   const long shifts = 2 * range.reach / range.step + 1;
   if (first >= last) return Eigen::ArrayXd::Zero(shifts);
@@ -96,7 +95,7 @@ void shift_clicks(const Eigen::ArrayXd& q, const EnvelopePower& shape, const Shi
                    [&](long a, long b) { return clicks.power(a) > clicks.power(b); });
   for (const long i : order) {
     long best = 0;
-    shift_costs(clipped, v, shape, clicks.onset[i], clicks.power(i), range).minCoeff(&best);
+    shift_costs(clipped, v, shape, a2, clicks.onset[i], clicks.power(i), range).minCoeff(&best);
     const long shift = best * range.step - range.reach;
     if (shift == 0) continue;
     add_click(a2, clicks.onset[i], -clicks.power(i), v);

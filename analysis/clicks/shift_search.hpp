@@ -12,9 +12,10 @@ struct ShiftRange {
 
 /// Change of the divergence when click i moves by each of -reach, -reach + step, … : computed block by block
 /// where its attack may come to lie; its tail only changes by a factor, so the tail's part is interpolated
-/// between five shifts. `v`: the current variance; `q` must be clipped. Thread: OFF.
+/// between five shifts. `v`: the current variance; `q` must be clipped; `a2`: sampled_power() of the shape.
+/// Thread: OFF.
 Eigen::ArrayXd shift_costs(const Eigen::ArrayXd& q, const Eigen::ArrayXd& v, const EnvelopePower& shape,
-                           long onset, double power, const ShiftRange& range);
+                           const Eigen::ArrayXd& a2, long onset, double power, const ShiftRange& range);
 
 /// Moves every click to its best shift, loudest first, the variance following each move; the clicks end in
 /// order. Thread: OFF.

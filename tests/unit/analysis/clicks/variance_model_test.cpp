@@ -114,7 +114,8 @@ TEST_CASE("the cost of a shift is that of the model with the click moved") {
   const Eigen::ArrayXd v = spread(clicks, kModelShape, 8, 400), q = noisy_blocks(v, 8, noise);
   const EnvelopePower shape = envelope_power(kModelShape, 8);
   const ShiftRange range{6, 2};
-  const Eigen::ArrayXd costs = shift_costs(q, v, shape, clicks.onset[3], clicks.power(3), range);
+  const Eigen::ArrayXd costs =
+      shift_costs(q, v, shape, sampled_power(shape), clicks.onset[3], clicks.power(3), range);
   REQUIRE(costs.size() == 7);
   const double here = divergence(q, v);
   for (long k = 0; k < 7; ++k) {
