@@ -83,8 +83,7 @@ ChainResult result_of(ClipMachine split, float level, const ChainOptions& option
   const double square = static_cast<double>(level) * level;
   result.signal_psd = scaled(split.signal_psd, square);
   result.noise_psd = scaled(split.noise_psd, square);
-  const Spectrogram Y = stft(split.drilling, kChainStft);
-  result.output_psd = scaled(Y.abs2().cast<double>().rowwise().mean(), square);
+  result.output_psd = scaled(mean_power(split.drilling, kChainStft), square);
   for (float& sample : split.drilling) sample *= level;
   calibrate(split.drilling, result.clicks);
   result.drilling = std::move(split.drilling);

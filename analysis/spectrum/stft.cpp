@@ -9,6 +9,10 @@ namespace {
 
 constexpr long kSideBySide = 16;  // frames: a bin's course in time is written a cache line at a time
 
+long frames_of(const std::vector<float>& x, const StftShape& shape) {
+  return (static_cast<long>(x.size()) + shape.hop - 1) / shape.hop;
+}
+
 /// Frame i of x under the window, zeros where there is none.
 void put_frame(const std::vector<float>& x, long i, const StftShape& shape, const Eigen::ArrayXf& window,
                float* to) {
@@ -28,7 +32,7 @@ Eigen::ArrayXf hann(int length) {
 }
 
 Spectrogram stft(const std::vector<float>& x, const StftShape& shape) {
-  const long frames = (static_cast<long>(x.size()) + shape.hop - 1) / shape.hop;
+  const long frames = frames_of(x, shape);
   const Eigen::ArrayXf window = hann(shape.window);
   FramePair pair(shape.fft);
   Spectrogram X(shape.bins(), frames), block(shape.bins(), kSideBySide);
@@ -44,6 +48,23 @@ Spectrogram stft(const std::vector<float>& x, const StftShape& shape) {
     X.middleCols(from, here) = block.leftCols(here);
   }
   return X;
+}
+
+Eigen::ArrayXd mean_power(const std::vector<float>& x, const StftShape& shape) {
+  const long frames = frames_of(x, shape);
+  const Eigen::ArrayXf window = hann(shape.window);
+  FramePair pair(shape.fft);
+  Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(shape.bins());
+  for (long i = 0; i < frames; i += 2) {
+    put_frame(x, i, shape, window, pair.first());
+    if (i + 1 < frames)
+      put_frame(x, i + 1, shape, window, pair.second());
+    else
+      std::fill(pair.second(), pair.second() + shape.fft, 0.0f);
+    pair.forward();
+    for (int k = 0; k < shape.bins(); ++k) sum(k) += static_cast<double>(pair.power(k));
+  }
+  return sum / static_cast<double>(frames);
 }
 
 std::vector<float> inverse_stft(const Spectrogram& X, size_t length, const StftShape& shape) {

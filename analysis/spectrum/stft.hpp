@@ -28,6 +28,9 @@ Eigen::ArrayXf hann(int length);
 /// OFF.
 Spectrogram stft(const std::vector<float>& x, const StftShape& shape);
 
+/// Mean of |stft(x)|^2 over the frames, a bin. Thread: OFF.
+Eigen::ArrayXd mean_power(const std::vector<float>& x, const StftShape& shape);
+
 /// Least-squares inverse (overlap-add of windowed frames over the sum of squared windows), `length` samples.
 /// Gives back x from stft(x) to rounding. Thread: OFF.
 std::vector<float> inverse_stft(const Spectrogram& X, size_t length, const StftShape& shape);

@@ -35,3 +35,12 @@ TEST_CASE("a frame is centred on its multiple of the hop") {
   CHECK(std::abs(X(7, 39)) == doctest::Approx(std::abs(X(7, 41))));
   CHECK(std::abs(X(7, 42)) < 1e-6);
 }
+
+TEST_CASE("the mean power is that of the transform, for odd and even numbers of frames") {
+  TestNoise noise(2);
+  for (const long frames : {40L, 41L}) {
+    const std::vector<float> x = samples(noise.normals(frames * kChainStft.hop));
+    const Eigen::ArrayXd mean = stft(x, kChainStft).abs2().cast<double>().rowwise().mean();
+    CHECK((mean_power(x, kChainStft) / mean - 1).abs().maxCoeff() < 1e-4);
+  }
+}
