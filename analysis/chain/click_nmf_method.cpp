@@ -13,6 +13,7 @@
 #include "denoise/cs_nmf.hpp"
 #include "denoise/factors.hpp"
 #include "denoise/initial_nmf.hpp"
+#include "denoise/word_fit.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "spectrum/stft.hpp"
 
@@ -36,8 +37,7 @@ double noise_share(const MeanPsd& psd) { return psd.N.sum() / (psd.S.sum() + psd
 
 /// What each modelled power explains of the recorded one: the model's own sum is up to 1.5 dB above it in
 /// bins where clicks decay otherwise than the activations.
-MeanPsd recorded_shares(const Spectrogram& X, const PsdPair& psd) {
-  MeanPsd mean = mean_over_time(psd);
+MeanPsd recorded_shares(const Spectrogram& X, MeanPsd mean) {
   const Eigen::ArrayXd recorded = X.abs2().cast<double>().rowwise().mean();
   const Eigen::ArrayXd ratio = recorded / (mean.S + mean.N).max(1e-30);
   mean.S *= ratio, mean.N *= ratio;
@@ -56,13 +56,14 @@ void dump_detection(const Dump& dump, const std::string& pass, const Eigen::Arra
 }
 
 /// What a split would sound like, and its mean powers.
-void dump_split(const Dump& dump, const std::string& step, const Spectrogram& X, const PsdPair& psd,
-                size_t length) {
+void dump_split(const Dump& dump, const std::string& step, const Spectrogram& X,
+                const PowerSpectrogram& power, const Factors& factors, size_t length) {
   if (!dump) return;
-  const std::vector<float> drilling = inverse_stft(wiener(X, psd), length, kChainStft);
+  const std::vector<float> drilling =
+      inverse_stft(wiener(X, modelled_psd(factors, power)), length, kChainStft);
   dump.signal(step + "_drilling",
               Eigen::Map<const Eigen::ArrayXf>(drilling.data(), static_cast<long>(length)).cast<double>());
-  const MeanPsd mean = mean_over_time(psd);
+  const MeanPsd mean = mean_psd(factors, power);
   Eigen::ArrayXXd powers(mean.S.size(), 3);
   powers.col(0) = Eigen::ArrayXd::LinSpaced(powers.rows(), 0, kAnalysisRate / 2);
   powers.col(1) = mean.S;
@@ -76,18 +77,18 @@ ClickTrain fit(const ClickSearch& found, FitEffort effort, const std::string& pa
   return clicks;
 }
 
-Factors rough_factors(const PowerSpectrogram& power, const ClickTrain& clicks) {
+Factors rough_factors(const WordFit& clip, const ClickTrain& clicks) {
   CsNmfOptions options;
   options.updates = plain_updates(kRoughUpdates);
-  return cs_nmf(power, {{clicks, kUsualDecays}}, options);
+  return cs_nmf(clip, {{clicks, kUsualDecays}}, options);
 }
 
 /// For the last pass: by then the clicks' envelope is known well enough to choose the decays by it. A slow
 /// tail is believed the less the more of the recording is noise: the tails of a clean one are heard.
-Factors final_factors(const PowerSpectrogram& power, const ClickTrain& clicks, double noise) {
+Factors final_factors(const WordFit& clip, const ClickTrain& clicks, double noise) {
   CsNmfOptions options;
   options.slow_cost = static_cast<float>(kSlowCost * noise * noise);
-  return cs_nmf(power, {{clicks, decays_around(clicks)}}, options);
+  return cs_nmf(clip, {{clicks, decays_around(clicks)}}, options);
 }
 
 SearchedClip searched(const std::vector<float>& x, const ClickSearch& found, const ClickTrain& clicks,
@@ -105,35 +106,36 @@ ClipMachine split_without_denoising(const std::vector<float>& x, const std::vect
   const ClickSearch found = search_clicks(x, {all.signal_psd, all.noise_psd});
   all.clicks = fit(found, FitEffort::kFull, "only", dump);
   std::optional<Factors> factors;
-  if (all.clicks.P.size() >= kFewestFitted) factors = rough_factors(power, all.clicks);
+  const WordFit clip(power);
+  if (all.clicks.P.size() >= kFewestFitted) factors = rough_factors(clip, all.clicks);
   all.drilling = x;
   all.verdict =
-      judge(windows, searched(x, found, all.clicks, power, left_by_background(power), factors), "only", dump);
+      judge(windows, searched(x, found, all.clicks, power, left_by_background(clip), factors), "only", dump);
   return all;
 }
 
 /// A blind split and what a search through it finds.
 struct Start {
-  PsdPair blind;
+  Factors blind;
   ClickSearch found;
 };
 
-Start start_from(unsigned seed, const std::vector<float>& x, const PowerSpectrogram& power) {
+Start start_from(unsigned seed, const std::vector<float>& x, const WordFit& clip) {
   InitialNmfOptions initial;
   initial.seed = seed;
   Start start;
-  start.blind = modelled_psd(initial_nmf(power, initial), power);
-  start.found = search_clicks(x, mean_over_time(start.blind));
+  start.blind = initial_nmf(clip, initial);
+  start.found = search_clicks(x, mean_psd(start.blind, clip.power()));
   return start;
 }
 
 /// Impacts deep in noise are found from some random starts and not from others: where the first finds nothing
 /// clear, the clearest of several.
-Start clearest_start(unsigned seed, const std::vector<float>& x, const PowerSpectrogram& power) {
-  Start best = start_from(seed, x, power);
+Start clearest_start(unsigned seed, const std::vector<float>& x, const WordFit& clip) {
+  Start best = start_from(seed, x, clip);
   if (best.found.clearness() >= kClear) return best;
   for (unsigned more = 1; more < kStarts; ++more) {
-    Start other = start_from(seed + more, x, power);
+    Start other = start_from(seed + more, x, clip);
     if (other.found.clearness() > best.found.clearness()) best = std::move(other);
   }
   return best;
@@ -147,28 +149,28 @@ struct Pass {
 };
 
 /// The first pass only guides the second.
-Pass first_pass(ClickSearch found, const PowerSpectrogram& power, const Dump& dump) {
+Pass first_pass(ClickSearch found, const WordFit& clip, const Dump& dump) {
   Pass pass{std::move(found), {}, {}};
   pass.clicks = fit(pass.found, FitEffort::kRough, "pass1", dump);
-  if (pass.clicks.P.size() >= kFewestFitted) pass.factors = rough_factors(power, pass.clicks);
+  if (pass.clicks.P.size() >= kFewestFitted) pass.factors = rough_factors(clip, pass.clicks);
   return pass;
 }
 
 /// `powers`: those of the first.
-Pass second_pass(const std::vector<float>& x, const MeanPsd& powers, const PowerSpectrogram& power,
-                 const Dump& dump) {
+Pass second_pass(const std::vector<float>& x, const MeanPsd& powers, const WordFit& clip, const Dump& dump) {
   Pass pass{search_clicks(x, powers), {}, {}};
   pass.clicks = fit(pass.found, FitEffort::kFull, "pass2", dump);
   if (pass.clicks.P.size() >= kFewestFitted)
-    pass.factors = final_factors(power, pass.clicks, noise_share(powers));
+    pass.factors = final_factors(clip, pass.clicks, noise_share(powers));
   return pass;
 }
 
-ClipMachine machine_of(const Spectrogram& X, const PsdPair& psd, std::vector<JudgedWindow> verdict,
-                       ClickTrain clicks, std::size_t length) {
-  MeanPsd mean = recorded_shares(X, psd);
-  return {std::move(verdict), std::move(clicks), inverse_stft(wiener(X, psd), length, kChainStft),
-          std::move(mean.S), std::move(mean.N)};
+ClipMachine machine_of(const Spectrogram& X, const PowerSpectrogram& power, const Factors& factors,
+                       std::vector<JudgedWindow> verdict, ClickTrain clicks, std::size_t length) {
+  MeanPsd mean = recorded_shares(X, mean_psd(factors, power));
+  return {std::move(verdict), std::move(clicks),
+          inverse_stft(wiener(X, modelled_psd(factors, power)), length, kChainStft), std::move(mean.S),
+          std::move(mean.N)};
 }
 
 /// Each of the two judged as if the other were not there; nothing unless both drill.
@@ -185,9 +187,8 @@ std::vector<ClipMachine> split_of_two(const std::vector<float>& x, const std::ve
     auto verdict =
         judge(windows, {x, m.found.candidates, m.clicks, rest, left_by_background(rest), &alone}, pass, dump);
     if (!drills(verdict) || m.clicks.P.size() < kFewestDrillingClicks) return {};
-    const PsdPair psd = modelled_psd(own, power);
-    dump_split(dump, pass, X, psd, x.size());
-    both.push_back(machine_of(X, psd, std::move(verdict), m.clicks, x.size()));
+    dump_split(dump, pass, X, power, own, x.size());
+    both.push_back(machine_of(X, power, own, std::move(verdict), m.clicks, x.size()));
   }
   return both;
 }
@@ -205,11 +206,12 @@ std::vector<ClipMachine> split_by_click_nmf(const std::vector<float>& x, const s
   if (!options.denoise) return {split_without_denoising(x, windows, dump)};
   const Spectrogram X = stft(x, kChainStft);
   const PowerSpectrogram power = power_spectrogram(X);
-  const Start start = clearest_start(options.seed, x, power);
-  dump_split(dump, "blind", X, start.blind, x.size());
+  const WordFit clip(power);
+  const Start start = clearest_start(options.seed, x, clip);
+  dump_split(dump, "blind", X, power, start.blind, x.size());
 
-  Pass pass = first_pass(start.found, power, dump);
-  const Grid background_alone = left_by_background(power);
+  Pass pass = first_pass(start.found, clip, dump);
+  const Grid background_alone = left_by_background(clip);
   const auto judged = [&] {
     return judge(windows, searched(x, pass.found, pass.clicks, power, background_alone, pass.factors),
                  "pass2", dump);
@@ -218,18 +220,17 @@ std::vector<ClipMachine> split_by_click_nmf(const std::vector<float>& x, const s
   if (!options.labelled) verdict = judged();
   const bool may_drill = options.labelled || (start.found.clearness() >= kHopeless && is_promising(verdict));
   if (pass.factors && may_drill) {
-    const PsdPair rough = modelled_psd(*pass.factors, power);
-    dump_split(dump, "pass1", X, rough, x.size());
-    pass = second_pass(x, mean_over_time(rough), power, dump);
+    dump_split(dump, "pass1", X, power, *pass.factors, x.size());
+    pass = second_pass(x, mean_psd(*pass.factors, power), clip, dump);
   }
   if (may_drill) verdict = judged();
   if (drills(verdict))
-    if (const auto two = find_second_machine(x, start.found.y, power, pass.clicks))
+    if (const auto two = find_second_machine(x, start.found.y, clip, pass.clicks))
       if (auto both = split_of_two(x, windows, X, power, *two, dump); !both.empty()) return both;
   const bool by_clicks = pass.factors && (options.labelled || drills(verdict));
-  const PsdPair psd = by_clicks ? modelled_psd(*pass.factors, power) : start.blind;
-  dump_split(dump, "pass2", X, psd, x.size());
-  return {machine_of(X, psd, std::move(verdict), std::move(pass.clicks), x.size())};
+  const Factors& split = by_clicks ? *pass.factors : start.blind;
+  dump_split(dump, "pass2", X, power, split, x.size());
+  return {machine_of(X, power, split, std::move(verdict), std::move(pass.clicks), x.size())};
 }
 
 }  // namespace rigsound::analysis

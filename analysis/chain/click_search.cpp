@@ -6,10 +6,6 @@
 
 namespace rigsound::analysis {
 
-MeanPsd mean_over_time(const PsdPair& psd) {
-  return {psd.S.cast<double>().rowwise().mean(), psd.N.cast<double>().rowwise().mean()};
-}
-
 double ClickSearch::clearness() const {
   return selection.surplus / static_cast<double>(std::max<std::size_t>(selection.block.size(), 1));
 }

@@ -11,14 +11,6 @@
 
 namespace rigsound::analysis {
 
-/// Mean powers a bin of kChainStft.
-struct MeanPsd {
-  Eigen::ArrayXd S, N;
-};
-
-/// Thread: OFF.
-MeanPsd mean_over_time(const PsdPair& psd);
-
 struct ClickSearch {
   Eigen::ArrayXd y;  ///< whitened, RMS 1
   Candidates candidates;

@@ -107,7 +107,7 @@ bool drills(const std::vector<JudgedWindow>& verdict) {
                      [](const JudgedWindow& w) { return w.probability >= kDrillingProbability; });
 }
 
-Grid left_by_background(const PowerSpectrogram& power) { return itakura_saito(power, background_nmf(power)); }
+Grid left_by_background(const WordFit& clip) { return itakura_saito(clip.power(), background_nmf(clip)); }
 
 std::vector<JudgedWindow> judge(const std::vector<Segment>& windows, const SearchedClip& clip,
                                 const std::string& pass, const Dump& dump) {

@@ -8,6 +8,7 @@
 #include "chain/segments.hpp"
 #include "clicks/candidates.hpp"
 #include "denoise/factors.hpp"
+#include "denoise/word_fit.hpp"
 #include "rigsound/analysis/click_train.hpp"
 
 namespace rigsound::analysis {
@@ -32,7 +33,7 @@ struct SearchedClip {
 };
 
 /// The divergence that a slow background leaves of every cell. Thread: OFF.
-Grid left_by_background(const PowerSpectrogram& power);
+Grid left_by_background(const WordFit& clip);
 
 /// The verdict on every window; the figures behind it go into PASS_evidence.csv. Thread: OFF.
 std::vector<JudgedWindow> judge(const std::vector<Segment>& windows, const SearchedClip& clip,

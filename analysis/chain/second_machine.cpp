@@ -40,13 +40,13 @@ HeardTrain hear_beside(const Eigen::ArrayXd& y, const ClickTrain& other, const C
 }
 
 MeanPsd powers_of(const Factors& factors, int machine, const PowerSpectrogram& power) {
-  return mean_over_time(modelled_psd(drilling_of_train(factors, machine), power));
+  return mean_psd(drilling_of_train(factors, machine), power);
 }
 
-Factors factors_of(const std::array<FoundMachine, 2>& machine, const PowerSpectrogram& power) {
+Factors factors_of(const std::array<FoundMachine, 2>& machine, const WordFit& clip) {
   std::vector<TrainWords> words;
   for (const FoundMachine& m : machine) words.push_back({m.clicks, decays_around(m.clicks)});
-  return cs_nmf(power, words, {});
+  return cs_nmf(clip, words, {});
 }
 
 bool is_near(const ClickTrain& train, int onset, int samples) {
@@ -119,10 +119,10 @@ class Ownership {
 };
 
 /// Both anew, each through the whitener that brings it out.
-bool find_anew(const std::vector<float>& x, const PowerSpectrogram& power, TwoMachines& two) {
+bool find_anew(const std::vector<float>& x, const WordFit& clip, TwoMachines& two) {
   const std::array<FoundMachine, 2> before = two.machine;
   for (int k = 0; k < 2; ++k) {
-    const MeanPsd psd = powers_of(two.factors, k, power);
+    const MeanPsd psd = powers_of(two.factors, k, clip.power());
     two.machine[k].found.y = whiten(x, noise_aware_whitener(psd.S, psd.N));
   }
   const Ownership ownership(x, two);
@@ -142,7 +142,7 @@ bool find_anew(const std::vector<float>& x, const PowerSpectrogram& power, TwoMa
     if (own.clicks.P.size() < kFewestFitted) return false;
     add_hidden_clicks(two.machine[1 - k].clicks, own.clicks);
   }
-  two.factors = factors_of(two.machine, power);
+  two.factors = factors_of(two.machine, clip);
   return true;
 }
 
@@ -164,7 +164,7 @@ double phase_locking(const ClickTrain& train, const ClickTrain& other) {
 }
 
 std::optional<TwoMachines> find_second_machine(const std::vector<float>& x, const Eigen::ArrayXd& y,
-                                               const PowerSpectrogram& power, const ClickTrain& first) {
+                                               const WordFit& clip, const ClickTrain& first) {
   TwoMachines two;
   two.machine[0].clicks = first;
   ClickSearch& beside = two.machine[1].found;
@@ -178,9 +178,9 @@ std::optional<TwoMachines> find_second_machine(const std::vector<float>& x, cons
   const double locking =
       std::min(phase_locking(first, two.machine[1].clicks), phase_locking(two.machine[1].clicks, first));
   if (locking > kPhaseLocked) return std::nullopt;
-  two.factors = factors_of(two.machine, power);
+  two.factors = factors_of(two.machine, clip);
   for (int round = 0; round < kJointRounds; ++round) {
-    if (!find_anew(x, power, two)) return std::nullopt;
+    if (!find_anew(x, clip, two)) return std::nullopt;
   }
   return two;
 }

@@ -8,6 +8,7 @@
 
 #include "chain/click_search.hpp"
 #include "denoise/factors.hpp"
+#include "denoise/word_fit.hpp"
 #include "rigsound/analysis/click_train.hpp"
 #include "spectrum/power_spectrogram.hpp"
 
@@ -29,7 +30,7 @@ struct TwoMachines {
 /// Both are then found anew, each with the other's variance known and in the bands in which it is the louder
 /// one. Nothing where there is no second. Thread: OFF.
 std::optional<TwoMachines> find_second_machine(const std::vector<float>& x, const Eigen::ArrayXd& y,
-                                               const PowerSpectrogram& power, const ClickTrain& first);
+                                               const WordFit& clip, const ClickTrain& first);
 
 /// The order, 1 to 4, at which the onsets of `other` keep their phase in the gaps of `train` best: the length
 /// of the mean of exp(2 pi i h phase), 0 (no relation) ... 1 (locked). Thread: OFF.

@@ -57,8 +57,7 @@ Grid click_activations(const ClickTrain& train, const Decays& decays, int frames
                        attack = squared_attack(train.envelope.attack_samples);
   const Eigen::ArrayXd rising = convolve(impulse, attack);
   const long rise = attack.size();
-  Eigen::ArrayXd window(width);
-  for (int k = 0; k < width; ++k) window(k) = hann(kChainStft.window)(k * kStep);
+  const Eigen::ArrayXd window = hann(kChainStft.window)(Eigen::seqN(0, width, kStep)).cast<double>();
   const Eigen::ArrayXd weight = window.square() / window.square().sum();
   Grid rows = Grid::Zero(kDecayCount, padded);
   for (int j = 0; j < kDecayCount; ++j) {

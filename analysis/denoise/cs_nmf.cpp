@@ -40,8 +40,8 @@ std::vector<float> word_costs(const std::vector<TrainWords>& trains, float slow_
 
 }  // namespace
 
-Factors cs_nmf(const PowerSpectrogram& power, const std::vector<TrainWords>& trains,
-               const CsNmfOptions& options) {
+Factors cs_nmf(const WordFit& clip, const std::vector<TrainWords>& trains, const CsNmfOptions& options) {
+  const PowerSpectrogram& power = clip.power();
   Factors f;
   f.signal_words = kDecayCount * static_cast<int>(trains.size());
   const int knots = noise_knots(power.frames, f.signal_words), words = f.signal_words + knots;
@@ -51,15 +51,15 @@ Factors cs_nmf(const PowerSpectrogram& power, const std::vector<TrainWords>& tra
         click_activations(trains[k].clicks, trains[k].decays, power.frames, power.padded());
   f.H.bottomRows(knots) = hats(knots, power.frames, power.padded());
   f.W = Grid(power.bins(), words);
-  const Eigen::ArrayXf noise = noise_level(power, options.noise_start);
+  const Eigen::ArrayXf noise = clip.noise(options.noise_start);
   const std::vector<float> cost = word_costs(trains, options.slow_cost, words);
   for (int m = 0; m < power.bins(); ++m) {
-    const float mean = power.P.row(m).head(power.frames).mean();
+    const float mean = clip.mean()(m);
     f.W.row(m).head(f.signal_words) =
         std::max(mean - noise(m), 0.1f * mean) / static_cast<float>(f.signal_words);
     f.W.row(m).tail(knots) = noise(m);
   }
-  WordFit(power).update(options.updates, cost.data(), f);
+  clip.update(options.updates, cost.data(), f);
   return f;
 }
 
@@ -74,13 +74,13 @@ Factors drilling_of_train(const Factors& factors, int k) {
   return own;
 }
 
-Factors background_nmf(const PowerSpectrogram& power) {
+Factors background_nmf(const WordFit& clip) {
+  const PowerSpectrogram& power = clip.power();
   const int knots = noise_knots(power.frames, 0);
   Factors f;
   f.H = hats(knots, power.frames, power.padded());
-  f.W = Grid(power.bins(), knots);
-  for (int m = 0; m < power.bins(); ++m) f.W.row(m) = power.P.row(m).head(power.frames).mean();
-  WordFit(power).update(plain_updates(kBackgroundUpdates), nullptr, f);
+  f.W = clip.mean().replicate(1, knots);
+  clip.update(plain_updates(kBackgroundUpdates), nullptr, f);
   return f;
 }
 

@@ -29,14 +29,13 @@ struct CsNmfOptions {
 /// falls from click to click explains hiss as well as the background does, and takes it where nothing speaks
 /// against it. Where the train itself falls by 15 dB or less from click to click, nothing is dearer. Thread:
 /// OFF.
-Factors cs_nmf(const PowerSpectrogram& power, const std::vector<TrainWords>& trains,
-               const CsNmfOptions& options);
+Factors cs_nmf(const WordFit& clip, const std::vector<TrainWords>& trains, const CsNmfOptions& options);
 
 /// The words of train `k` first, as the drilling; those of the other trains count among the background.
 /// Thread: OFF.
 Factors drilling_of_train(const Factors& factors, int k);
 
 /// The same without any clicks: a slow background alone. Thread: OFF.
-Factors background_nmf(const PowerSpectrogram& power);
+Factors background_nmf(const WordFit& clip);
 
 }  // namespace rigsound::analysis

@@ -1,10 +1,8 @@
 #include "denoise/factors.hpp"
 
 #include <algorithm>
-#include <vector>
 
 #include "kernels/is_kernels.hpp"
-#include "numeric/quantile.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -14,17 +12,6 @@ constexpr float kModelFloor = 1e-12f;
 constexpr float kSilenced = 0.01f;  // of a bin's mean error
 
 }  // namespace
-
-Eigen::ArrayXf noise_level(const PowerSpectrogram& power, float start) {
-  Eigen::ArrayXf level(power.bins());
-  for (int m = 0; m < power.bins(); ++m) {
-    const auto row = power.P.row(m).head(power.frames);
-    level(m) =
-        std::min(start * quantile(std::vector<float>(row.data(), row.data() + row.size()), 0.2) / 0.223f,
-                 0.9f * row.mean());
-  }
-  return level;
-}
 
 Grid hats(int knots, int frames, int padded) {
   Grid rows = Grid::Zero(knots, padded);
@@ -41,30 +28,51 @@ PsdPair modelled_psd(const Factors& factors, const PowerSpectrogram& power) {
   const int words = static_cast<int>(factors.W.cols()), noise_words = words - factors.signal_words;
   const Activations signal{factors.H.data(), factors.signal_words, power.padded()};
   const Activations noise{factors.H.row(factors.signal_words).data(), noise_words, power.padded()};
-  Grid S(power.bins(), power.padded()), N(power.bins(), power.padded());
+  const float scale = static_cast<float>(power.scale);
+  PsdPair psd{Grid(power.bins(), power.frames), Grid(power.bins(), power.frames)};
+  Grid row(1, power.padded());
   for (int m = 0; m < power.bins(); ++m) {
     const float* w = factors.W.row(m).data();
-    is_kernels().model_bin(signal, w, factors.signal_words, S.row(m).data());
-    is_kernels().model_bin(noise, w + factors.signal_words, noise_words, N.row(m).data());
+    is_kernels().model_bin(signal, w, factors.signal_words, row.data());
+    psd.S.row(m) = row.leftCols(power.frames) * scale;
+    is_kernels().model_bin(noise, w + factors.signal_words, noise_words, row.data());
+    psd.N.row(m) = row.leftCols(power.frames) * scale;
   }
-  const float scale = static_cast<float>(power.scale);
-  return {S.leftCols(power.frames) * scale, N.leftCols(power.frames) * scale};
+  return psd;
+}
+
+MeanPsd mean_psd(const Factors& factors, const PowerSpectrogram& power) {
+  const Eigen::MatrixXd W = factors.W.cast<double>().matrix();
+  const Eigen::VectorXd h =
+      power.scale * factors.H.leftCols(power.frames).cast<double>().rowwise().mean().matrix();
+  const long signal = factors.signal_words, noise = W.cols() - signal;
+  return {(W.leftCols(signal) * h.head(signal)).array(), (W.rightCols(noise) * h.tail(noise)).array()};
 }
 
 Spectrogram wiener(const Spectrogram& X, const PsdPair& psd) {
-  Grid gain = psd.S / (psd.S + psd.N).max(1e-30f);
-  const Grid held = psd.S * gain;
-  // A gain lowered by the share d costs S G d^2 more error: d = c / (S G + c) at most c / 4.
-  const Eigen::ArrayXf c = kSilenced * (psd.N * gain).rowwise().mean();
-  gain *= held / (held.colwise() + c).max(1e-30f);
-  return X * gain.cast<std::complex<float>>();
+  Spectrogram Y(X.rows(), X.cols());
+  Grid gain(1, X.cols()), held(1, X.cols());
+  for (long m = 0; m < X.rows(); ++m) {
+    const auto S = psd.S.row(m), N = psd.N.row(m);
+    gain = S / (S + N).max(1e-30f);
+    held = S * gain;
+    // A gain lowered by the share d costs S G d^2 more error: d = c / (S G + c) at most c / 4.
+    const float c = kSilenced * (N * gain).mean();
+    gain *= held / (held + c).max(1e-30f);
+    Y.row(m) = X.row(m) * gain.cast<std::complex<float>>();
+  }
+  return Y;
 }
 
 Grid itakura_saito(const PowerSpectrogram& power, const Factors& factors) {
-  const PsdPair psd = modelled_psd(factors, power);
-  const Grid L = (psd.S + psd.N) / static_cast<float>(power.scale);
-  const Grid ratio = power.P.leftCols(power.frames) / L.max(kModelFloor);
-  return ratio - ratio.log() - 1;
+  const Activations H{factors.H.data(), static_cast<int>(factors.H.rows()), power.padded()};
+  Grid divergence(power.bins(), power.frames), L(1, power.padded()), ratio(1, power.frames);
+  for (int m = 0; m < power.bins(); ++m) {
+    is_kernels().model_bin(H, factors.W.row(m).data(), H.words, L.data());
+    ratio = power.P.row(m).head(power.frames) / L.leftCols(power.frames).max(kModelFloor);
+    divergence.row(m) = ratio - ratio.log() - 1;
+  }
+  return divergence;
 }
 
 double mean_divergence(const PowerSpectrogram& power, const Grid& divergence, const Eigen::ArrayXf& weight,

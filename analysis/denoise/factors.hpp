@@ -5,11 +5,6 @@
 
 namespace rigsound::analysis {
 
-/// The level of a stationary noise in each bin, from the 20 % quantile over time: the power of Gaussian
-/// noise is exponentially distributed, so that quantile is -ln(0.8) = 0.223 of its mean. Never above
-/// 0.9 of the bin's mean (before `start`). Thread: OFF.
-Eigen::ArrayXf noise_level(const PowerSpectrogram& power, float start);
-
 /// No entry of a word is fitted below this: an exact zero could never rise again.
 constexpr float kWordFloor = 1e-10f;
 
@@ -33,6 +28,12 @@ struct Factors {
 
 /// Thread: OFF.
 PsdPair modelled_psd(const Factors& factors, const PowerSpectrogram& power);
+
+/// Means of both over time, a bin. Thread: OFF.
+struct MeanPsd {
+  Eigen::ArrayXd S, N;
+};
+MeanPsd mean_psd(const Factors& factors, const PowerSpectrogram& power);
 
 /// G X with the Wiener gain G = S / (S + N), times S G / (S G + c) with c a hundredth of its bin's mean error
 /// S N / (S + N): cells that hold next to nothing of the drilling are silenced. The expected error of a bin

@@ -2,7 +2,6 @@
 
 #include <random>
 
-#include "denoise/word_fit.hpp"
 #include "kernels/is_kernels.hpp"
 
 namespace rigsound::analysis {
@@ -19,7 +18,8 @@ class Uniform {
   std::mt19937_64 bits_;
 };
 
-Factors random_start(const PowerSpectrogram& power, const InitialNmfOptions& options) {
+Factors random_start(const WordFit& clip, const InitialNmfOptions& options) {
+  const PowerSpectrogram& power = clip.power();
   Uniform uniform(options.seed);
   const int K_s = options.signal_words, words = K_s + options.noise_knots;
   Factors f;
@@ -28,11 +28,10 @@ Factors random_start(const PowerSpectrogram& power, const InitialNmfOptions& opt
   for (int k = 0; k < K_s; ++k)
     for (int n = 0; n < power.frames; ++n) f.H(k, n) = uniform() + 0.1f;
   f.H.bottomRows(options.noise_knots) = hats(options.noise_knots, power.frames, power.padded());
-  const Eigen::ArrayXf noise = noise_level(power, options.noise_start);
+  const Eigen::ArrayXf noise = clip.noise(options.noise_start);
   f.W = Grid(power.bins(), words);
   for (int m = 0; m < power.bins(); ++m) {
-    const float mean = power.P.row(m).head(power.frames).mean(),
-                rest = std::max(mean - noise(m), 0.1f * mean);
+    const float mean = clip.mean()(m), rest = std::max(mean - noise(m), 0.1f * mean);
     for (int k = 0; k < K_s; ++k)
       f.W(m, k) = rest * (0.5f + uniform()) / static_cast<float>(K_s) / f.H.row(k).head(power.frames).mean();
     f.W.row(m).tail(options.noise_knots) = noise(m);
@@ -42,11 +41,10 @@ Factors random_start(const PowerSpectrogram& power, const InitialNmfOptions& opt
 
 void update_activations(const PowerSpectrogram& power, float exponent, Factors& f) {
   const int K_s = f.signal_words;
-  Grid numerator = Grid::Zero(K_s, power.padded()), denominator = numerator;
+  Grid numerator(K_s, power.padded()), denominator(K_s, power.padded());
   const Activations H{f.H.data(), static_cast<int>(f.H.rows()), power.padded()};
-  for (int m = 0; m < power.bins(); ++m)
-    is_kernels().add_activation_terms(power.P.row(m).data(), H, f.W.row(m).data(), K_s, numerator.data(),
-                                      denominator.data());
+  is_kernels().sum_over_bins({power.P.data(), f.W.data(), power.bins()}, H, K_s, numerator.data(),
+                             denominator.data());
   auto learned = f.H.topLeftCorner(K_s, power.frames);
   learned *= (numerator / denominator).leftCols(power.frames).pow(exponent);
   learned = learned.max(kActivationFloor);
@@ -62,12 +60,11 @@ void normalise_words(Factors& f) {
 
 }  // namespace
 
-Factors initial_nmf(const PowerSpectrogram& power, const InitialNmfOptions& options) {
-  Factors f = random_start(power, options);
-  const WordFit words(power);
+Factors initial_nmf(const WordFit& clip, const InitialNmfOptions& options) {
+  Factors f = random_start(clip, options);
   for (int i = 0; i < options.iterations; ++i) {
-    update_activations(power, options.exponent, f);
-    words.update({&options.exponent, 1, 1}, nullptr, f);
+    update_activations(clip.power(), options.exponent, f);
+    clip.update({&options.exponent, 1, 1}, nullptr, f);
     normalise_words(f);
   }
   return f;

@@ -1,7 +1,7 @@
 // Step 1: a first split into impulsive sound and slow background, without any other knowledge.
 #pragma once
 
-#include "denoise/factors.hpp"
+#include "denoise/word_fit.hpp"
 
 namespace rigsound::analysis {
 
@@ -16,6 +16,6 @@ struct InitialNmfOptions {
 
 /// Minimises the Itakura-Saito divergence D(P | W_s H_s + W_n hats) over W_s, H_s, W_n by multiplicative
 /// updates. The first signal_words rows of H are learned, the hats stay. Thread: OFF.
-Factors initial_nmf(const PowerSpectrogram& power, const InitialNmfOptions& options);
+Factors initial_nmf(const WordFit& clip, const InitialNmfOptions& options);
 
 }  // namespace rigsound::analysis

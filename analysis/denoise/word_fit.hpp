@@ -1,8 +1,8 @@
 // The words of a factorisation learned for given activations, kLanes bins at a time.
 #pragma once
 
+#include <Eigen/Core>
 #include <iterator>
-#include <vector>
 
 #include "denoise/factors.hpp"
 #include "kernels/is_kernels.hpp"
@@ -26,17 +26,29 @@ constexpr Updates fast_updates(int rounds) {
   return {kFastExponents, kRound, kRound * rounds};
 }
 
-/// A power spectrogram laid out for the kernels. Thread: OFF.
+/// What every factorisation of one power spectrogram needs: laid out for the kernels, with its levels.
+/// Thread: OFF.
 class WordFit {
  public:
-  explicit WordFit(const PowerSpectrogram& power);
+  WordFit(const PowerSpectrogram& power);  // NOLINT(google-explicit-constructor): the same in another layout
+
+  const PowerSpectrogram& power() const { return *power_; }
+
+  /// The mean power of each bin.
+  const Eigen::ArrayXf& mean() const { return mean_; }
+
+  /// `start` times the level of a stationary noise in each bin, from the 20 % quantile over time: the power
+  /// of Gaussian noise is exponentially distributed, so that quantile is -ln(0.8) = 0.223 of its mean. Never
+  /// above 0.9 of the bin's mean.
+  Eigen::ArrayXf noise(float start) const { return (start * quiet_).min(0.9f * mean_); }
 
   /// Updates every row of f.W; f.H stays. `cost` of each word, null: 1.
   void update(const Updates& updates, const float* cost, Factors& f) const;
 
  private:
-  int frames_, bins_;
-  std::vector<float> side_by_side_;  // of kLanes bins frames x kLanes, then of the next
+  const PowerSpectrogram* power_;
+  Eigen::ArrayXf mean_, quiet_;
+  Eigen::ArrayXf side_by_side_;  // of kLanes bins frames x kLanes, then of the next
 };
 
 }  // namespace rigsound::analysis

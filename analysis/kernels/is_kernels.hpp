@@ -25,6 +25,13 @@ struct BinGroup {
   int count = 0;             ///< rows of W, 1 ... kLanes
 };
 
+/// A power spectrogram, bin after bin, and the powers of its words.
+struct PowerRows {
+  const float* P = nullptr;  ///< rows as long as those of H
+  const float* W = nullptr;  ///< rows of as many floats as there are words
+  int bins = 0;
+};
+
 /// Multiplicative updates: the exponent of update i is exponents[i % period], a power of two or below 1.
 struct Updates {
   const float* exponents = nullptr;
@@ -38,10 +45,10 @@ struct IsKernels {
   /// bins, never below `floor`; with an exponent above 1 by kLargestStep at most.
   void (*fit_bins)(const BinGroup& bins, const Activations& H, const Updates& updates, float floor);
 
-  /// Adds one bin's share to the sums of the activation update, for the first `updated` rows of H:
-  /// numerator(k, n) += w_k P / L^2, denominator(k, n) += w_k / L.
-  void (*add_activation_terms)(const float* P, const Activations& H, const float* w, int updated,
-                               float* numerator, float* denominator);
+  /// The sums of the activation update over the bins in their order, for the first `updated` rows of H:
+  /// numerator(k, n) = sum w_k P / L^2, denominator(k, n) = sum w_k / L.
+  void (*sum_over_bins)(const PowerRows& power, const Activations& H, int updated, float* numerator,
+                        float* denominator);
 
   /// model(n) = sum over the first `words` of w_k H(k, n).
   void (*model_bin)(const Activations& H, const float* w, int words, float* model);

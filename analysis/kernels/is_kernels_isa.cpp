@@ -20,9 +20,9 @@ inline Lanes load(const float* p) {
 inline void store(float* p, const Lanes& x) { __builtin_memcpy(p, &x, sizeof x); }
 
 template <int K>
-inline Lanes inverse_model(const Activations& H, const float* w, int n) {
-  Lanes L = w[0] * load(H.H + n);
-  for (int k = 1; k < K; ++k) L += w[k] * load(H.H + k * H.frames + n);
+inline Lanes inverse_model(const Lanes* h, const float* w) {
+  Lanes L = w[0] * h[0];
+  for (int k = 1; k < K; ++k) L += w[k] * h[k];
   // The padding has no model and no power; the floor keeps its 0 / 0 away.
   const Lanes floor = Lanes{} + 1e-12f;
   L = L > floor ? L : floor;
@@ -76,17 +76,31 @@ void fit_bins(const BinGroup& bins, const Activations& H, const Updates& updates
     for (int k = 0; k < K; ++k) bins.W[lane * K + k] = w[k][lane];
 }
 
-template <int K>
-void add_activation_terms(const float* P, const Activations& H, const float* w, int updated, float* numerator,
-                          float* denominator) {
+/// The sums of rows first ... first + Rows - 1 of H.
+template <int K, int Rows>
+inline void sum_rows(const PowerRows& power, const Activations& H, int first, float* numerator,
+                     float* denominator) {
   for (int n = 0; n < H.frames; n += kLanes) {
-    const Lanes I = inverse_model<K>(H, w, n), R = load(P + n) * I * I;
-    for (int k = 0; k < updated; ++k) {
-      const int at = k * H.frames + n;
-      store(numerator + at, load(numerator + at) + w[k] * R);
-      store(denominator + at, load(denominator + at) + w[k] * I);
+    Lanes h[K], R_sum[Rows] = {}, I_sum[Rows] = {};
+    for (int k = 0; k < K; ++k) h[k] = load(H.H + k * H.frames + n);
+    for (int m = 0; m < power.bins; ++m) {
+      const float* w = power.W + m * K;
+      const Lanes I = inverse_model<K>(h, w), R = load(power.P + m * H.frames + n) * I * I;
+      for (int k = 0; k < Rows; ++k) R_sum[k] += w[first + k] * R, I_sum[k] += w[first + k] * I;
+    }
+    for (int k = 0; k < Rows; ++k) {
+      store(numerator + (first + k) * H.frames + n, R_sum[k]);
+      store(denominator + (first + k) * H.frames + n, I_sum[k]);
     }
   }
+}
+
+template <int K>
+void sum_over_bins(const PowerRows& power, const Activations& H, int updated, float* numerator,
+                   float* denominator) {
+  int k = 0;  // two rows at a time: their sums stay in registers
+  for (; k + 2 <= updated; k += 2) sum_rows<K, 2>(power, H, k, numerator, denominator);
+  if (k < updated) sum_rows<K, 1>(power, H, k, numerator, denominator);
 }
 
 template <int K>
@@ -95,17 +109,17 @@ struct Table {
     if (H.words == K) return fit_bins<K>(bins, H, updates, floor);
     Table<K - 1>::fit(bins, H, updates, floor);
   }
-  static void add(const float* P, const Activations& H, const float* w, int updated, float* numerator,
+  static void sum(const PowerRows& power, const Activations& H, int updated, float* numerator,
                   float* denominator) {
-    if (H.words == K) return add_activation_terms<K>(P, H, w, updated, numerator, denominator);
-    Table<K - 1>::add(P, H, w, updated, numerator, denominator);
+    if (H.words == K) return sum_over_bins<K>(power, H, updated, numerator, denominator);
+    Table<K - 1>::sum(power, H, updated, numerator, denominator);
   }
 };
 
 template <>
 struct Table<0> {
   static void fit(const BinGroup&, const Activations&, const Updates&, float) {}
-  static void add(const float*, const Activations&, const float*, int, float*, float*) {}
+  static void sum(const PowerRows&, const Activations&, int, float*, float*) {}
 };
 
 void model_bin(const Activations& H, const float* w, int words, float* model) {
@@ -120,6 +134,6 @@ void model_bin(const Activations& H, const float* w, int words, float* model) {
 
 extern const IsKernels RIGSOUND_OF_ISA(kIsKernels_);
 const IsKernels RIGSOUND_OF_ISA(kIsKernels_) = {RIGSOUND_ISA_NAME, Table<kMaxWords>::fit,
-                                                Table<kMaxWords>::add, model_bin};
+                                                Table<kMaxWords>::sum, model_bin};
 
 }  // namespace rigsound::analysis

@@ -53,7 +53,8 @@ TEST_CASE("hat functions sum to one everywhere") {
 TEST_CASE("the 20 % quantile finds the level of a noise under rare loud events") {
   Grid L = Grid::Constant(40, 2000, 2.0f);
   for (int n = 0; n < 2000; n += 25) L.col(n) = 200;
-  const Eigen::ArrayXf level = noise_level(noisy_power(L, 3), 1.0f);
+  const PowerSpectrogram power = noisy_power(L, 3);
+  const Eigen::ArrayXf level = WordFit(power).noise(1.0f);
   CHECK(level.mean() == doctest::Approx(2.0).epsilon(0.15));
 }
 
@@ -84,6 +85,34 @@ TEST_CASE("every instruction set gives the same bits, and those of the formula")
       }
     }
   }
+}
+
+TEST_CASE("the activations' sums are those of the formula over the bins, with the same bits everywhere") {
+  constexpr int kFrames = 32, kWords = 5, kBins = 7, kUpdated = 3;
+  TestNoise noise(14);
+  Grid P(kBins, kFrames), W(kBins, kWords), H(kWords, kFrames);
+  for (Grid* grid : {&P, &W, &H})
+    for (float& value : grid->reshaped()) value = float(noise.uniform()) + 0.1f;
+  const PowerRows power{P.data(), W.data(), kBins};
+  const Activations activations{H.data(), kWords, kFrames};
+  Grid above(kUpdated, kFrames), below = above, same_above = above, same_below = above;
+  is_kernels().sum_over_bins(power, activations, kUpdated, above.data(), below.data());
+  kIsKernels_baseline.sum_over_bins(power, activations, kUpdated, same_above.data(), same_below.data());
+  CHECK((above == same_above).all());
+  CHECK((below == same_below).all());
+  const Eigen::MatrixXd w = W.cast<double>(), L = w * H.cast<double>().matrix(),
+                        R = P.cast<double>() / L.array().square(), I = L.array().inverse();
+  CHECK(((w.transpose() * R).topRows(kUpdated).array() / above.cast<double>() - 1).abs().maxCoeff() < 1e-5);
+  CHECK(((w.transpose() * I).topRows(kUpdated).array() / below.cast<double>() - 1).abs().maxCoeff() < 1e-5);
+}
+
+TEST_CASE("mean powers are the means of the modelled ones") {
+  const PowerSpectrogram power = noisy_power(Grid::Constant(20, 150, 2.0f), 15);
+  const Factors factors = cs_nmf(power, {{regular_train()}}, {});
+  const PsdPair psd = modelled_psd(factors, power);
+  const MeanPsd mean = mean_psd(factors, power);
+  CHECK((psd.S.cast<double>().rowwise().mean() / mean.S - 1).abs().maxCoeff() < 1e-5);
+  CHECK((psd.N.cast<double>().rowwise().mean() / mean.N - 1).abs().maxCoeff() < 1e-5);
 }
 
 TEST_CASE("three rounds of fast updates come as far as 102 plain ones, in every bin") {
