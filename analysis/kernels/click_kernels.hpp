@@ -18,14 +18,14 @@ struct ClickKernels {
   /// v = floor + carried decay.
   void (*tail)(double carried, const double* decay, double floor, long size, double* v);
 
-  /// inverse = 1 / v, slope = min(q / v, clip) / v, and their sums, the slope's first.
+  /// v over 1e-150: inverse = 1 / v, slope = min(q / v, clip) / v, and their sums, the slope's first.
   PairOfSums (*weigh)(const double* q, const double* v, double clip, long size, double* slope,
                       double* inverse);
 
   /// sum a x, sum a y.
   PairOfSums (*products)(const double* a, const double* x, const double* y, long size);
 
-  /// sum ln v, v > 0 and normal, and sum min(q / v, clip).
+  /// sum ln v, v over 1e-150, and sum min(q / v, clip).
   PairOfSums (*divergence)(const double* q, const double* v, double clip, long size);
 };
 
