@@ -7,6 +7,7 @@
 #include "clicks/click_fit.hpp"
 #include "clicks/gaps.hpp"
 #include "clicks/shift_search.hpp"
+#include "kernels/click_kernels.hpp"
 #include "numeric/quantile.hpp"
 
 namespace rigsound::analysis {
@@ -90,10 +91,13 @@ Addition best_addition(const Eigen::ArrayXd& q, const Eigen::ArrayXd& v, const E
     const Eigen::ArrayXd observed = q.segment(onset, length).min(kOutlierClip * now);
     const Eigen::ArrayXd inverse = now.inverse(), gradient = shape * inverse.square();
     double power = std::max(1e-6, (gradient * (observed - now)).sum() / (shape * gradient).sum());
-    Eigen::ArrayXd w;
+    Eigen::ArrayXd w, slope(length), weight(length);
     for (int step = 0; step < kAmplitudeSteps; ++step) {
-      w = (now + power * shape).inverse();
-      power = std::max(1e-6, power * (shape * observed * w.square()).sum() / (shape * w).sum());
+      w = now + power * shape;
+      click_kernels().weigh(observed.data(), w.data(), std::numeric_limits<double>::max(), length,
+                            slope.data(), weight.data());
+      const PairOfSums sums = click_kernels().products(a2.data(), slope.data(), weight.data(), length);
+      power = std::max(1e-6, power * sums.first / sums.second);
     }
     w = now + power * shape;
     const double gain =
