@@ -57,11 +57,12 @@ Series<double> norms_of(const Segments& segments, const std::vector<ClickCandida
   return norms;
 }
 
-BankFigures figures_of(const Segments& segments, const ClickBank& bank, const BandLevels& target) {
+BankFigures figures_of(const Segments& segments, const ClickBank& bank, const BandLevels& target,
+                       const BandLevels& denoised) {
   BankFigures f;
   double energy = 0, frames = 0;
   for (const DrillingSegment& s : segments) {
-    for (const float v : s.result.drilling.all()) energy += static_cast<double>(v) * v;
+    energy += dsp::energy(s.result.drilling.all());
     frames += static_cast<double>(s.result.drilling.size());
   }
   f.rate_hz = bank.sample_rate / bank.mean_gap_samples;
@@ -71,8 +72,7 @@ BankFigures figures_of(const Segments& segments, const ClickBank& bank, const Ba
   for (const auto& click : bank.clicks)
     f.longest_click_s = std::max(f.longest_click_s, static_cast<double>(click.size()) / bank.sample_rate);
   const std::vector<float> proof = resynthesise(bank, kProofSeconds, kProofSeed).sound;
-  const BandLevels played = third_octave_levels(proof),
-                   denoised = recorded_levels(segments, Levels::kDenoisedOnly);
+  const BandLevels played = third_octave_levels(proof);
   f.ltas_error_db = mean_difference_db(target, played, kLtasRangeDb, Difference::kCentred);
   f.ltas_denoised_error_db = mean_difference_db(denoised, played, kLtasRangeDb, Difference::kCentred);
   f.modulation_error_db = mean_difference_db(recorded_modulation(segments), modulation_levels(proof),
@@ -99,8 +99,8 @@ BuiltBank build_bank(const SegmentedResult& recording, Method method, int count,
   for (const DrillingSegment& s : segments) onsets.push_back(own_onsets(s));
 
   const auto wanted = static_cast<std::size_t>(count);
-  const BandLevels target =
-      recorded_levels(segments, method == Method::kPaper ? Levels::kDenoisedOnly : Levels::kGivenBack);
+  const BandLevels denoised = recorded_levels(segments),
+                   target = method == Method::kPaper ? denoised : given_back(segments, denoised);
   if (method == Method::kPaper) {
     set_plain_gap_statistics(onsets, bank);
     bank.amplitude_correlation = 0;
@@ -110,10 +110,9 @@ BuiltBank build_bank(const SegmentedResult& recording, Method method, int count,
     bank.clicks =
         finished(extract_masked(segments, candidates, choose_by_cover(segments, candidates, wanted)));
     equalise(bank, target);
-    set_level(bank, drilling_power(segments) * power(target) /
-                        power(recorded_levels(segments, Levels::kDenoisedOnly)));
+    set_level(bank, drilling_power(segments) * power(target) / power(denoised));
   }
-  built.figures = figures_of(segments, bank, target);
+  built.figures = figures_of(segments, bank, target, denoised);
   built.figures.clicks_found = static_cast<int>(found);
   built.figures.segments = recording.segments;
   built.figures.segments_drilling = static_cast<int>(recording.drilling.size());

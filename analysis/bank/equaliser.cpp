@@ -6,6 +6,7 @@
 #include <unsupported/Eigen/FFT>
 #include <utility>
 
+#include "bank/third_octave_meter.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/analysis/resynth.hpp"
 #include "rigsound/dsp/energy.hpp"
@@ -20,24 +21,23 @@ constexpr double kMaxDb = 12;
 constexpr int kSyntheses = 16;
 constexpr double kSynthesisSeconds = 4, kSettleSeconds = 0.5;  // before, fewer clicks ring than later on
 
-std::vector<Resynthesis> test_syntheses(const ClickBank& bank) {
-  std::vector<Resynthesis> tests;
-  for (std::uint64_t seed = 1; seed <= kSyntheses; ++seed)
-    tests.push_back(resynthesise(bank, kSynthesisSeconds, seed));
-  return tests;
+template <class Visit>
+void each_test_synthesis(const ClickBank& bank, Visit visit) {
+  for (std::uint64_t seed = 1; seed <= kSyntheses; ++seed) visit(resynthesise(bank, kSynthesisSeconds, seed));
 }
 
 BandLevels synthesised_levels(const ClickBank& bank) {
   BandLevels mean;
-  for (Resynthesis& test : test_syntheses(bank)) {
-    test.sound.erase(test.sound.begin(),
-                     test.sound.begin() + static_cast<long>(kSettleSeconds * bank.sample_rate));
-    const BandLevels here = third_octave_levels(test.sound);
+  ThirdOctaveMeter levels_of;
+  const auto settled = static_cast<long>(kSettleSeconds * bank.sample_rate);
+  each_test_synthesis(bank, [&](const Resynthesis& test) {
+    const BandLevels here =
+        levels_of(test.sound.data() + settled, static_cast<long>(test.sound.size()) - settled);
     mean.centre_hz = here.centre_hz;
     mean.level_db.resize(here.level_db.size(), 0.0);
     for (std::size_t b = 0; b < here.level_db.size(); ++b)
       mean.level_db[b] += std::pow(10, here.level_db[b] / 10) / kSyntheses;
-  }
+  });
   for (double& level : mean.level_db) level = 10 * std::log10(level);
   return mean;
 }
@@ -90,11 +90,11 @@ void renormalise(ClickBank& bank) {
 /// Energy of a synthesis over the energies of its clicks: not 1 where overlapping clicks resemble each other.
 double coherence(const ClickBank& bank) {
   double sound = 0, clicks = 0;
-  for (const Resynthesis& test : test_syntheses(bank)) {
-    for (const float v : test.sound) sound += static_cast<double>(v) * v;
+  each_test_synthesis(bank, [&](const Resynthesis& test) {
+    sound += dsp::energy(test.sound);
     for (const ResynthImpact& impact : test.impacts)
       clicks += bank.mean_amplitude * impact.amplitude * bank.mean_amplitude * impact.amplitude;
-  }
+  });
   return sound / clicks;
 }
 

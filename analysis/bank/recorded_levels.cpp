@@ -6,6 +6,7 @@
 
 #include "clicks/gaps.hpp"
 #include "rigsound/analysis/rate.hpp"
+#include "rigsound/dsp/energy.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -36,25 +37,6 @@ double in_band(const std::vector<double>& psd, double centre_hz) {
   return sum;
 }
 
-void give_back(const Segments& segments, BandLevels& levels) {
-  const std::vector<double> S = summed(segments, &ChainResult::signal_psd),
-                            N = summed(segments, &ChainResult::noise_psd),
-                            G = summed(segments, &ChainResult::output_psd);
-  if (S.size() < 2 || N.size() != S.size() || G.size() != S.size()) return;  // taken as clean
-  for (std::size_t b = 0; b < levels.centre_hz.size(); ++b) {
-    const double f = levels.centre_hz[b], s = in_band(S, f), n = in_band(N, f), g = in_band(G, f);
-    if (f < kLowestHz || !(s > 0) || !(g > 0) || 10 * std::log10(s / std::max(n, 1e-30)) < kMinSnrDb)
-      continue;
-    levels.level_db[b] += std::clamp(10 * std::log10(s / g), 0.0, kMaxGivenBackDb);
-  }
-}
-
-double energy(const std::vector<float>& x, int from, int to) {
-  double sum = 0;
-  for (int n = from; n < to; ++n) sum += static_cast<double>(x[n]) * x[n];
-  return sum;
-}
-
 std::vector<float> first_to_last_click(const DrillingSegment& s) {
   const std::vector<int> P = own_onsets(s);
   return s.result.drilling.piece(static_cast<std::size_t>(P.front()), static_cast<std::size_t>(P.back()));
@@ -62,7 +44,7 @@ std::vector<float> first_to_last_click(const DrillingSegment& s) {
 
 }  // namespace
 
-BandLevels recorded_levels(const Segments& segments, Levels levels) {
+BandLevels recorded_levels(const Segments& segments) {
   BandLevels mean;
   double total = 0;
   for (const DrillingSegment& s : segments) {
@@ -76,8 +58,21 @@ BandLevels recorded_levels(const Segments& segments, Levels levels) {
     total += weight;
   }
   for (double& level : mean.level_db) level = 10 * std::log10(level / total);
-  if (levels == Levels::kGivenBack) give_back(segments, mean);
   return mean;
+}
+
+BandLevels given_back(const Segments& segments, BandLevels levels) {
+  const std::vector<double> S = summed(segments, &ChainResult::signal_psd),
+                            N = summed(segments, &ChainResult::noise_psd),
+                            G = summed(segments, &ChainResult::output_psd);
+  if (S.size() < 2 || N.size() != S.size() || G.size() != S.size()) return levels;  // taken as clean
+  for (std::size_t b = 0; b < levels.centre_hz.size(); ++b) {
+    const double f = levels.centre_hz[b], s = in_band(S, f), n = in_band(N, f), g = in_band(G, f);
+    if (f < kLowestHz || !(s > 0) || !(g > 0) || 10 * std::log10(s / std::max(n, 1e-30)) < kMinSnrDb)
+      continue;
+    levels.level_db[b] += std::clamp(10 * std::log10(s / g), 0.0, kMaxGivenBackDb);
+  }
+  return levels;
 }
 
 BandLevels recorded_modulation(const Segments& segments) {
@@ -98,7 +93,7 @@ double drilling_power(const Segments& segments) {
     for (std::size_t i = 1; i < P.size(); ++i) {
       if (P[i] - P[i - 1] >= longest) continue;
       drilled += P[i] - P[i - 1];
-      sum += energy(drilling, P[i - 1], P[i]);
+      sum += dsp::energy(drilling.data() + P[i - 1], static_cast<std::size_t>(P[i] - P[i - 1]));
     }
   }
   return sum / drilled;

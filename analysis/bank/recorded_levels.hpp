@@ -6,11 +6,13 @@
 
 namespace rigsound::analysis {
 
-/// Mean third-octave levels from the first to the last click of every segment. What the denoiser took from
-/// the drilling (its model S against its output, 0...9 dB) is given back in bands above 200 Hz where S is
-/// at most 10 dB below the background. Levels::kDenoisedOnly leaves the output as it is. Thread: OFF.
-enum class Levels { kDenoisedOnly, kGivenBack };
-BandLevels recorded_levels(const Segments& segments, Levels levels);
+/// Mean third-octave levels of the denoised drilling from the first to the last click of every segment.
+/// Thread: OFF.
+BandLevels recorded_levels(const Segments& segments);
+
+/// recorded_levels() with what the denoiser took from the drilling (its model S against its output, 0...9 dB)
+/// given back in bands above 200 Hz where S is at most 10 dB below the background. Thread: OFF.
+BandLevels given_back(const Segments& segments, BandLevels recorded);
 
 /// Modulation levels of the longest segment, from its first to its last click: a pause before the drilling is
 /// no modulation of it. Thread: OFF.

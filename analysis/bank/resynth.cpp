@@ -1,5 +1,6 @@
 #include "rigsound/analysis/resynth.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -24,17 +25,17 @@ Resynthesis resynthesise(const ClickBank& bank, double seconds, std::uint64_t se
   BankPlayer player = player_of(bank, seed);
   const auto frames = static_cast<std::size_t>(std::llround(seconds * bank.sample_rate));
   Resynthesis result;
-  result.sound.reserve(frames + kChunk);
+  result.sound.resize(frames);
   double chunk[kChunk];
-  while (result.sound.size() < frames) {
-    const auto start = static_cast<double>(result.sound.size());
+  for (std::size_t done = 0; done < frames; done += kChunk) {
+    const auto start = static_cast<double>(done);
     if (progress) progress(start / static_cast<double>(frames));
     player.process(controls, chunk);
     for (const Impact& impact : player.impacts())
       result.impacts.push_back({start + impact.onset, impact.amplitude});
-    for (const double v : chunk) result.sound.push_back(static_cast<float>(v));
+    std::copy_n(chunk, std::min<std::size_t>(kChunk, frames - done),
+                result.sound.begin() + static_cast<long>(done));
   }
-  result.sound.resize(frames);
   while (!result.impacts.empty() && result.impacts.back().time >= static_cast<double>(frames))
     result.impacts.pop_back();
   return result;

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <unsupported/Eigen/FFT>
 
+#include "bank/third_octave_meter.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/dsp/elementary.hpp"
-#include "spectrum/frame_pair.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -45,22 +45,28 @@ std::vector<double> third_octaves(double origin_hz, int from, int to) {
 }  // namespace
 
 BandLevels third_octave_levels(const std::vector<float>& x) {
-  const Eigen::ArrayXf window = hann_window(kFrame).cast<float>();
-  const auto size = static_cast<long>(x.size());
+  return ThirdOctaveMeter()(x.data(), static_cast<long>(x.size()));
+}
+
+ThirdOctaveMeter::ThirdOctaveMeter() : window_(kFrame), pair_(kFrame) {
+  Eigen::Map<Eigen::ArrayXf>(window_.data(), kFrame) = hann_window(kFrame).cast<float>();
+}
+
+BandLevels ThirdOctaveMeter::operator()(const float* x, long size) {
+  const Eigen::Map<const Eigen::ArrayXf> window(window_.data(), kFrame);
   const long frames = 1 + std::max(0L, (size - kFrame) / (kFrame / 2));
   const auto windowed = [&](long i, float* to) {
     Eigen::Map<Eigen::ArrayXf> frame(to, kFrame);
     frame.setZero();
     if (i >= frames) return;
     const long start = i * (kFrame / 2), length = std::min<long>(kFrame, size - start);
-    frame.head(length) = Eigen::Map<const Eigen::ArrayXf>(x.data() + start, length) * window.head(length);
+    frame.head(length) = Eigen::Map<const Eigen::ArrayXf>(x + start, length) * window.head(length);
   };
-  FramePair pair(kFrame);
   Eigen::ArrayXd power = Eigen::ArrayXd::Zero(kFrame / 2 + 1);
   for (long i = 0; i < frames; i += 2) {
-    windowed(i, pair.first()), windowed(i + 1, pair.second());
-    pair.forward();
-    for (int k = 0; k <= kFrame / 2; ++k) power(k) += static_cast<double>(pair.power(k));
+    windowed(i, pair_.first()), windowed(i + 1, pair_.second());
+    pair_.forward();
+    for (int k = 0; k <= kFrame / 2; ++k) power(k) += static_cast<double>(pair_.power(k));
   }
   // One-sided.
   power *= 2 / (static_cast<double>(frames) * window.cast<double>().square().sum() * kFrame);

@@ -71,9 +71,9 @@ RecordedSide recorded_side(std::vector<float> recorded, const ChainOptions& chai
   if (segments.empty()) throw InputError(part, "no drilling is found in it any more");
   RecordedSide side;
   side.of_recorded = spectra_of(recorded);
-  side.of_denoised = {curve_of(recorded_levels(segments, Levels::kDenoisedOnly)),
-                      curve_of(recorded_modulation(segments))};
-  side.target = curve_of(recorded_levels(segments, Levels::kGivenBack));
+  const BandLevels levels = recorded_levels(segments);
+  side.of_denoised = {curve_of(levels), curve_of(recorded_modulation(segments))};
+  side.target = curve_of(given_back(segments, levels));
   side.gaps_ms = gaps_ms(segments);
   side.amplitudes = amplitudes_over_mean(segments);
   side.denoised = result.joined.drilling.all();

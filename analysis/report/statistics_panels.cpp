@@ -55,7 +55,7 @@ std::string amplitude_panel(const Segments& segments, const ClickBank& bank) {
 
 std::string third_octave_panel(const Segments& segments, const std::vector<float>& synthesis,
                                const Sheet& sheet) {
-  const BandLevels recorded = recorded_levels(segments, Levels::kGivenBack),
+  const BandLevels recorded = given_back(segments, recorded_levels(segments)),
                    synthesised = third_octave_levels(synthesis);
   return spectrum("Third-octave levels",
                   frequency_axis("Hz", 60, 16500, {63, 125, 250, 500, 1000, 2000, 4000, 8000, 16000}),
