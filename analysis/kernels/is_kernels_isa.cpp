@@ -9,7 +9,15 @@
 namespace rigsound::analysis {
 namespace {
 
-using Lanes = float __attribute__((vector_size(sizeof(float) * kLanes)));
+// As many of kLanes at a time as a register holds: the sums of wider ones would lie in memory.
+#if defined(__AVX512F__)
+constexpr int kWidth = 16;
+#elif defined(__AVX__)
+constexpr int kWidth = 8;
+#else
+constexpr int kWidth = 4;
+#endif
+using Lanes = float __attribute__((vector_size(sizeof(float) * kWidth)));
 
 inline Lanes load(const float* p) {
   Lanes x;
@@ -39,17 +47,18 @@ inline Lanes between(float least, float most, Lanes x) {
 inline Lanes update_factor(Lanes ratio, float exponent) {
   for (; exponent > 1; exponent /= 2) ratio = between(1 / kLargestStep, kLargestStep, ratio * ratio);
   if (exponent < 1)
-    for (int lane = 0; lane < kLanes; ++lane) ratio[lane] = powf(ratio[lane], exponent);
+    for (int lane = 0; lane < kWidth; ++lane) ratio[lane] = powf(ratio[lane], exponent);
   return ratio;
 }
 
 template <int K>
-inline void update_words(const BinGroup& bins, const Activations& H, float exponent, float floor, Lanes* w) {
+inline void update_words(const float* P, int frames, const Activations& H, float exponent, float floor,
+                         Lanes* w) {
   Lanes numerator[K] = {}, denominator[K] = {};
-  for (int n = 0; n < bins.frames; ++n) {
+  for (int n = 0; n < frames; ++n) {
     Lanes L = w[0] * H.H[n];
     for (int k = 1; k < K; ++k) L += w[k] * H.H[k * H.frames + n];
-    const Lanes I = 1.0f / L, R = load(bins.P + n * kLanes) * I * I;
+    const Lanes I = 1.0f / L, R = load(P + n * kLanes) * I * I;
     for (int k = 0; k < K; ++k) {
       numerator[k] += H.H[k * H.frames + n] * R;
       denominator[k] += H.H[k * H.frames + n] * I;
@@ -65,22 +74,25 @@ inline void update_words(const BinGroup& bins, const Activations& H, float expon
 
 template <int K>
 void fit_bins(const BinGroup& bins, const Activations& H, const Updates& updates, float floor) {
-  Lanes w[K];
-  for (int lane = 0; lane < kLanes; ++lane) {  // those beyond the last bin repeat it
-    const float* row = bins.W + (lane < bins.count ? lane : bins.count - 1) * K;
-    for (int k = 0; k < K; ++k) w[k][lane] = row[k];
+  for (int first = 0; first < bins.count; first += kWidth) {
+    const int count = bins.count - first < kWidth ? bins.count - first : kWidth;
+    Lanes w[K];
+    for (int lane = 0; lane < kWidth; ++lane) {  // those beyond the last bin repeat it
+      const float* row = bins.W + (first + (lane < count ? lane : count - 1)) * K;
+      for (int k = 0; k < K; ++k) w[k][lane] = row[k];
+    }
+    for (int i = 0; i < updates.count; ++i)
+      update_words<K>(bins.P + first, bins.frames, H, updates.exponents[i % updates.period], floor, w);
+    for (int lane = 0; lane < count; ++lane)
+      for (int k = 0; k < K; ++k) bins.W[(first + lane) * K + k] = w[k][lane];
   }
-  for (int i = 0; i < updates.count; ++i)
-    update_words<K>(bins, H, updates.exponents[i % updates.period], floor, w);
-  for (int lane = 0; lane < bins.count; ++lane)
-    for (int k = 0; k < K; ++k) bins.W[lane * K + k] = w[k][lane];
 }
 
 /// The sums of rows first ... first + Rows - 1 of H.
 template <int K, int Rows>
 inline void sum_rows(const PowerRows& power, const Activations& H, int first, float* numerator,
                      float* denominator) {
-  for (int n = 0; n < H.frames; n += kLanes) {
+  for (int n = 0; n < H.frames; n += kWidth) {
     Lanes h[K], R_sum[Rows] = {}, I_sum[Rows] = {};
     for (int k = 0; k < K; ++k) h[k] = load(H.H + k * H.frames + n);
     for (int m = 0; m < power.bins; ++m) {
@@ -123,7 +135,7 @@ struct Table<0> {
 };
 
 void model_bin(const Activations& H, const float* w, int words, float* model) {
-  for (int n = 0; n < H.frames; n += kLanes) {
+  for (int n = 0; n < H.frames; n += kWidth) {
     Lanes sum_of_words = {};
     for (int k = 0; k < words; ++k) sum_of_words += w[k] * load(H.H + k * H.frames + n);
     store(model + n, sum_of_words);
