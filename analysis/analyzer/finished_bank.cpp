@@ -23,7 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Raised whenever the chain or the bank builder changes what it computes: older banks are then analysed anew.
-constexpr int kAnalysisRevision = 7;
+constexpr int kAnalysisRevision = 8;
 
 constexpr const char* kFiguresFile = "figures.json";
 constexpr const char* kFormerRefinementFile = "refined.json.old";
