@@ -24,7 +24,7 @@ constexpr unsigned kStarts = 3;
 // What a chain has over chance, a click. Of 32 drills at -6 dB none was below 0.43, of 54 noises and effects
 // three in four were below 0.23 and nine in ten below 0.6.
 constexpr double kHopeless = 0.3, kClear = 1;
-// Probability of the rough clicks' best window. Of 130 drills, 32 of them at -6 dB, none was below 5e-4; of
+// Promise of the rough clicks' best window. Of 130 drills, 32 of them at -6 dB, none was below 5e-4; of
 // 187 other sounds four in five are below this.
 constexpr double kPromising = 1e-4;
 constexpr double kSlowCost = 0.06;  // times the squared share of noise, chosen on ids 100-131
@@ -196,7 +196,7 @@ std::vector<ClipMachine> split_of_two(const std::vector<float>& x, const std::ve
 /// The rough clicks may be those of a drill.
 bool is_promising(const std::vector<JudgedWindow>& verdict) {
   return std::any_of(verdict.begin(), verdict.end(),
-                     [](const JudgedWindow& w) { return w.probability >= kPromising; });
+                     [](const JudgedWindow& w) { return w.promise >= kPromising; });
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ std::vector<JudgedWindow> judge(const std::vector<Segment>& windows, const Searc
   std::vector<std::vector<double>> rows;
   for (const Segment& window : windows) {
     const DrillingEvidence e = evidence_in(window, clip, with_clicks);
-    verdict.push_back({window, drilling_probability(e), objections_to(e)});
+    verdict.push_back({window, drilling_probability(e), drilling_promise(e), objections_to(e)});
     rows.push_back(evidence_row(verdict.back(), e));
   }
   if (!rows.empty()) dump_evidence(dump, pass, rows);

@@ -16,6 +16,7 @@ namespace rigsound::analysis {
 struct JudgedWindow {
   Segment window;          ///< samples of the clip; may reach beyond it
   double probability = 0;  ///< that it is drilling
+  double promise = 0;      ///< that it is, as far as rough clicks tell: drilling_promise()
   std::string objections;  ///< what speaks against it
 };
 

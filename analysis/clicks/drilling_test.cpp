@@ -29,6 +29,7 @@ struct Objection {
 };
 
 using Objections = std::array<Objection, kObjections>;
+constexpr std::size_t kSwell = 1;  // of them
 
 double square_above_zero(double x) { return x > 0 ? x * x : 0; }
 
@@ -81,6 +82,11 @@ Objections objections(const DrillingEvidence& e) {
   }};
 }
 
+double probability_given(const std::array<double, kObjections>& weights) {
+  const double against = std::inner_product(weights.begin(), weights.end(), kCoefficients.begin(), 0.0);
+  return 1 / (1 + std::exp(against - kBias));
+}
+
 }  // namespace
 
 double irregularity(const ClickTrain& clicks) {
@@ -118,10 +124,14 @@ std::array<double, kObjections> objection_weights(const DrillingEvidence& e) {
 }
 
 double drilling_probability(const DrillingEvidence& e) {
+  return e.clicks.P.size() < kFewestFitted ? 0 : probability_given(objection_weights(e));
+}
+
+double drilling_promise(const DrillingEvidence& e) {
   if (e.clicks.P.size() < kFewestFitted) return 0;
-  const auto weights = objection_weights(e);
-  const double against = std::inner_product(weights.begin(), weights.end(), kCoefficients.begin(), 0.0);
-  return 1 / (1 + std::exp(against - kBias));
+  auto weights = objection_weights(e);
+  weights[kSwell] = 0;
+  return probability_given(weights);
 }
 
 std::string objections_to(const DrillingEvidence& e) {

@@ -37,6 +37,11 @@ struct DrillingEvidence {
 /// Thread: OFF.
 double drilling_probability(const DrillingEvidence& evidence);
 
+/// The same of clicks whose envelope is only roughly fitted: whatever its attack, it says nothing against
+/// drilling. Through the whitener of a blind split a low, slowly ringing click is a plateau in noise, whose
+/// length the two rough rounds take for an attack. Thread: OFF.
+double drilling_promise(const DrillingEvidence& evidence);
+
 /// What each of its figures says against drilling: 0 where nine drills in ten are or better, 1 where it alone
 /// is much. In the order of kCoefficients. Thread: OFF.
 std::array<double, kObjections> objection_weights(const DrillingEvidence& evidence);

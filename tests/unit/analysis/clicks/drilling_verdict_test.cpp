@@ -98,6 +98,15 @@ TEST_CASE("a steep rise or a long period excuses a long attack") {
       [](DrillingEvidence& e) { e.clicks.envelope.attack_samples = 350, e.clicks.mean_gap_samples = 3500; }));
 }
 
+TEST_CASE("the attack of rough clicks breaks no promise, whatever else speaks against them does") {
+  const auto dull = [](DrillingEvidence& e) { e.likeness.rise = 0.1; };
+  const auto swelling = [&](DrillingEvidence& e) { dull(e), e.clicks.envelope.attack_samples = 480; };
+  CHECK(refused(swelling));
+  CHECK(drilling_promise(after(swelling)) == doctest::Approx(probability(dull)));
+  CHECK(drilling_promise(after(dull)) == doctest::Approx(probability(dull)));
+  CHECK(drilling_promise(after([](DrillingEvidence& e) { e.clicks.P.resize(3); })) == 0);
+}
+
 TEST_CASE("a waveform that repeats speaks against what hardly rises and what slips at uneven times") {
   const auto copies = [](DrillingEvidence& e) {
     e.repetition = 0.99, e.irregularity = 0, e.likeness.rise = 2.5;
