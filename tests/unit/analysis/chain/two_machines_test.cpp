@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "analysis/noise.hpp"
 #include "chain/machines.hpp"
@@ -110,6 +111,18 @@ TEST_CASE("two machines are named with their rates, the louder first, and every 
   REQUIRE(both.struck_by.size() == both.clicks.P.size());
   CHECK(both.machines[0].clicks + both.machines[1].clicks == both.clicks.P.size());
   CHECK(machines_text(both.machines).find("machine 2: 3") != std::string::npos);
+}
+
+TEST_CASE("a second machine that the blind split only lets suspect is found" * doctest::test_suite("long")) {
+  for (const unsigned seed : {2U, 4U}) {
+    const Struck a = machine(21, 900, seed), b = machine(34, 4000, 100 + seed);
+    const std::vector<float> x = mixed(a, b, 0);
+    ChainResult first = found_in(x, 1), second = found_in(x, 2);
+    REQUIRE(second.drilling_found);
+    if (first.clicks.mean_gap_samples < second.clicks.mean_gap_samples) std::swap(first, second);
+    CHECK(f_measure(first.clicks.P, a.P) > 0.9);
+    CHECK(f_measure(second.clicks.P, b.P) > 0.9);
+  }
 }
 
 TEST_CASE("one machine is had without the other" * doctest::test_suite("long")) {
