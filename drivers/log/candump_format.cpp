@@ -106,13 +106,13 @@ bool parse_shown_bytes(LineCursor& at, can::Frame& frame) {
   return true;
 }
 
-/// `0CF00400   [8]  F0 7D ...`
+/// `0CF00400   [8]  F0 7D ...`; CAN FD has no remote requests.
 bool parse_shown_frame(LineCursor& at, can::Frame& frame) {
   if (!parse_identifier(at.token(), frame) || !parse_length(at, frame)) return false;
   at.spaces();
   constexpr std::string_view kRemote = "remote request";
   frame.remote = at.rest().substr(0, kRemote.size()) == kRemote;
-  return frame.remote || parse_shown_bytes(at, frame);
+  return frame.remote ? !frame.fd : parse_shown_bytes(at, frame);
 }
 
 std::string without_colours(std::string_view line) {

@@ -30,6 +30,7 @@ TEST_CASE("candump's screen: every way it shows a frame") {
   CHECK_FALSE(r.frame("(1.0)  can0  123  [3]  F0 7D 01").frame.extended);
   CHECK(r.frame("(1.0)  can0  00000123  [0] ").frame.extended);
   CHECK(r.frame("(1.0)  can0  123  [8]  remote request").frame.remote);
+  CHECK(r.other("(1.0)  can0  123  [27]  remote request"));  // CAN FD has none
   const can::Frame raw = r.frame("(1.0)  can0  123  {C}  01 02 03 04 05 06 07 08").frame;
   CHECK(raw.size == 8);
 }
