@@ -62,6 +62,7 @@ std::optional<CanRecord> parse_can_packet(const CapturedPacket& packet) {
     return std::nullopt;
   f.extended = (id & CAN_EFF_FLAG) != 0;
   f.remote = (id & CAN_RTR_FLAG) != 0;
+  if (f.remote && f.fd) return std::nullopt;  // CAN FD has no remote requests
   f.error = (id & CAN_ERR_FLAG) != 0;
   f.id = id & (f.extended || f.error ? CAN_EFF_MASK : CAN_SFF_MASK);
   f.bit_rate_switch = f.fd && (flags & kFdBrs) != 0;

@@ -113,7 +113,7 @@ class TrcFormat : public CanLineFormat {
     if (!id || !parse_type(tokens, frame) || !parse_length(tokens, frame)) return false;
     frame.id = *id;
     frame.remote = frame.remote || tokens[*columns_.data] == "RTR";
-    return frame.remote || take_bytes(tokens, *columns_.data, 16, frame);
+    return frame.remote ? !frame.fd : take_bytes(tokens, *columns_.data, 16, frame);
   }
 
   Columns columns_ = columns_of("1.0");

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "drivers/log/made_packets.hpp"
+#include "log/can_capture.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "temporary_folder.hpp"
 
@@ -196,4 +197,22 @@ TEST_CASE("pcapng: what cannot be is damaged, and what ends early cut off") {
   for (std::size_t size = begin.size() + 1; size < whole.size(); ++size)
     CHECK(complaint_of({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)})
               .find("was cut off") != std::string::npos);
+}
+
+TEST_CASE("pcap of SocketCAN: a remote request is a classic frame's, CAN FD has none") {
+  constexpr std::uint8_t kFd = 4;
+  const auto request = [](std::uint8_t flags) {
+    return octets(0x40000123, 4, true) + Octets{4, flags, 0, 0} + Octets(4, 0);
+  };
+  const test::TemporaryFolder folder;
+  const LogFile file(folder.write(
+      "capture", test::text_of(pcap_head(0xa1b2c3d4, false, DLT_CAN_SOCKETCAN) +
+                               pcap_record(1, 0, request(kFd)) + pcap_record(2, 0, request(0)))));
+  CanCapture capture(file);
+  CanRecord record;
+  REQUIRE(capture.next(record));
+  CHECK(record.frame.remote);
+  CHECK(record.time_ns == 2'000'000'000);
+  CHECK_FALSE(capture.next(record));
+  CHECK(capture.counts().other == 1);
 }

@@ -181,7 +181,7 @@ TEST_CASE("TRC: anything else is no frame") {
   for (const char* line :
        {"", ";   a comment", "1 1.0 ST 0123 Rx 4 00 00 00 00", "1 1.0 DT 0123 Warn 1 00",
         "1 x DT 0123 Rx 1 00", "1 1.0 DT 0800 Rx 1 00", "1 1.0 DT 20000000 Rx 1 00", "1 1.0 DT 0123 Rx x 00",
-        "1 1.0 DT 0123 Rx 65 00", "1 1.0 DT 0123 Rx 2 00", "1 1.0 DT 0123"}) {
+        "1 1.0 FD 0123 Rx 4 RTR", "1 1.0 DT 0123 Rx 65 00", "1 1.0 DT 0123 Rx 2 00", "1 1.0 DT 0123"}) {
     CAPTURE(std::string(line));
     CHECK(trc("2.0").other(line));
   }
