@@ -7,6 +7,7 @@
 #include <cmath>
 #include <complex>
 
+#include "analysis/f_measure.hpp"
 #include "analysis/noise.hpp"
 #include "rigsound/analysis/recording.hpp"
 #include "simulate/drillbench_clip.hpp"
@@ -35,21 +36,11 @@ Case clip(int id, double snr_db, double seconds) {
 }
 
 /// F measure at 2 ms against the true strikes (bounces are not clicks).
-double f_measure(const Case& c, const ClickTrain& found) {
+double f_of_strikes(const Case& c, const ClickTrain& found) {
   std::vector<long> truth;
   for (const SimulatedClick& click : c.truth.clicks)
     if (click.kind != ClickKind::kBounce && click.P < long(c.mix.size())) truth.push_back(click.P);
-  size_t i = 0, j = 0, matched = 0;
-  while (i < found.P.size() && j < truth.size()) {
-    const long apart = found.P[i] - truth[j];
-    if (std::labs(apart) <= 96)
-      ++matched, ++i, ++j;
-    else if (apart < 0)
-      ++i;
-    else
-      ++j;
-  }
-  return 2.0 * double(matched) / double(found.P.size() + truth.size());
+  return f_measure(found.P, truth);
 }
 
 struct LowDrill {
@@ -86,19 +77,6 @@ LowDrill low_drill(double rate_hz, double seconds, unsigned seed) {
   for (const float y : s.sound) square += double(y) * y;
   for (float& y : s.sound) y *= float(0.05 / std::sqrt(square / double(length)));
   return s;
-}
-
-/// F measure at 5 ms: to the period of the lowest mode.
-double f_at_5_ms(const std::vector<int>& found, const std::vector<long>& truth) {
-  size_t i = 0, j = 0, matched = 0;
-  while (i < found.size() && j < truth.size()) {
-    const long apart = found[i] - truth[j];
-    if (std::labs(apart) <= 240)
-      ++matched, ++i, ++j;
-    else
-      apart < 0 ? ++i : ++j;
-  }
-  return 2.0 * double(matched) / double(found.size() + truth.size());
 }
 
 double si_sdr(const std::vector<float>& s, const std::vector<float>& e) {
@@ -167,7 +145,7 @@ TEST_CASE("clicks and sound of clips with known truth" * doctest::test_suite("lo
       const Case c = clip(id, snr_db, 2);
       const ChainResult result = run_chain(c.mix, {});
       CHECK(result.drilling_found);
-      CHECK(f_measure(c, result.clicks) > 0.95);
+      CHECK(f_of_strikes(c, result.clicks) > 0.95);
       CHECK(result.drilling.size() == c.mix.size());
       CHECK(si_sdr(c.clean, result.drilling.all()) > snr_db + 3);
       CHECK(result.clicks.mean_gap_samples == doctest::Approx(c.truth.T0).epsilon(0.02));
@@ -183,7 +161,7 @@ TEST_CASE("a low drill that rings slowly is found as loud as its background") {
     for (size_t n = 0; n < low.sound.size(); ++n) low.sound[n] += float(0.05 * background[n]);
     const ChainResult result = run_chain(low.sound, {});
     CHECK(result.drilling_found);
-    CHECK(f_at_5_ms(result.clicks.P, low.P) > 0.95);
+    CHECK(f_measure(result.clicks.P, low.P, 240) > 0.95);  // to the period of the lowest mode
   }
 }
 
@@ -203,7 +181,7 @@ TEST_CASE("a clean recording may skip the denoising and keeps its samples") {
   ChainOptions options;
   options.denoise = false;
   const ChainResult result = run_chain(c.clean, options);
-  CHECK(f_measure(c, result.clicks) > 0.95);
+  CHECK(f_of_strikes(c, result.clicks) > 0.95);
   CHECK(si_sdr(c.clean, result.drilling.all()) > 60);
 }
 
@@ -212,7 +190,7 @@ TEST_CASE("a long recording is one train, the same for any number of jobs and on
   const Case c = clip(105, 6, 9);
   ChainOptions options;
   const ChainResult one = run_chain(c.mix, options);
-  CHECK(f_measure(c, one.clicks) > 0.97);
+  CHECK(f_of_strikes(c, one.clicks) > 0.97);
   options.jobs = 3;
   int reports = 0;
   options.progress = [&](int done, int total) { reports = done == total ? 100 + total : done; };

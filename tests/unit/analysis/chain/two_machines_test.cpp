@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/f_measure.hpp"
 #include "analysis/noise.hpp"
 #include "chain/machines.hpp"
 #include "chain/second_machine.hpp"
@@ -61,18 +62,6 @@ ChainResult found_in(const std::vector<float>& x, int which) {
   ChainOptions options;
   options.machine = which;
   return run_chain(x, options);
-}
-
-/// F measure at 2 ms.
-double f_measure(const std::vector<int>& found, const std::vector<int>& truth) {
-  std::size_t i = 0, j = 0, matched = 0;
-  while (i < found.size() && j < truth.size()) {
-    if (std::abs(found[i] - truth[j]) <= 96)
-      ++matched, ++i, ++j;
-    else
-      found[i] < truth[j] ? ++i : ++j;
-  }
-  return 2.0 * double(matched) / double(found.size() + truth.size());
 }
 
 double correlation(const std::vector<float>& a, const std::vector<float>& b) {
