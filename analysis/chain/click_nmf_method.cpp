@@ -185,7 +185,8 @@ std::vector<ClipMachine> split_of_two(const std::vector<float>& x, const std::ve
     dump_detection(dump, pass, m.found.y, m.found.candidates, m.clicks);
     const PowerSpectrogram rest = without_other_machine(power, own);
     auto verdict =
-        judge(windows, {x, m.found.candidates, m.clicks, rest, left_by_background(rest), &alone}, pass, dump);
+        judge(windows, {x, m.found.candidates, m.clicks, rest, left_by_background(WordFit(rest)), &alone},
+              pass, dump);
     if (!drills(verdict) || m.clicks.P.size() < kFewestDrillingClicks) return {};
     dump_split(dump, pass, X, power, own, x.size());
     both.push_back(machine_of(X, power, own, std::move(verdict), m.clicks, x.size()));

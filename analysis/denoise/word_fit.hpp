@@ -30,7 +30,8 @@ constexpr Updates fast_updates(int rounds) {
 /// Thread: OFF.
 class WordFit {
  public:
-  WordFit(const PowerSpectrogram& power);  // NOLINT(google-explicit-constructor): the same in another layout
+  /// `power` must outlive it.
+  explicit WordFit(const PowerSpectrogram& power);
 
   const PowerSpectrogram& power() const { return *power_; }
 

@@ -108,7 +108,7 @@ TEST_CASE("the activations' sums are those of the formula over the bins, with th
 
 TEST_CASE("mean powers are the means of the modelled ones") {
   const PowerSpectrogram power = noisy_power(Grid::Constant(20, 150, 2.0f), 15);
-  const Factors factors = cs_nmf(power, {{regular_train()}}, {});
+  const Factors factors = cs_nmf(WordFit(power), {{regular_train()}}, {});
   const PsdPair psd = modelled_psd(factors, power);
   const MeanPsd mean = mean_psd(factors, power);
   CHECK((psd.S.cast<double>().rowwise().mean() / mean.S - 1).abs().maxCoeff() < 1e-5);
@@ -143,22 +143,22 @@ TEST_CASE(
   options.exponent = 0.5f;
   double last = 1e30;
   for (options.iterations = 0; options.iterations < 25; ++options.iterations) {
-    const double divergence = total(itakura_saito(power, initial_nmf(power, options)));
+    const double divergence = total(itakura_saito(power, initial_nmf(WordFit(power), options)));
     CHECK(divergence <= last * (1 + 1e-6));
     last = divergence;
   }
   options.exponent = 0.7f;
   options.iterations = 0;
-  const double start = total(itakura_saito(power, initial_nmf(power, options)));
+  const double start = total(itakura_saito(power, initial_nmf(WordFit(power), options)));
   options.iterations = 80;
-  CHECK(total(itakura_saito(power, initial_nmf(power, options))) < 0.8 * start);
+  CHECK(total(itakura_saito(power, initial_nmf(WordFit(power), options))) < 0.8 * start);
 }
 
 TEST_CASE("a factorisation of noise by its own power leaves Euler's constant per cell") {
   const PowerSpectrogram power = noisy_power(Grid::Constant(64, 1000, 3.0f), 9);
   const Eigen::ArrayXf everywhere = Eigen::ArrayXf::Ones(1000);
-  CHECK(mean_divergence(power, itakura_saito(power, background_nmf(power)), everywhere, power.bins()) ==
-        doctest::Approx(kNoiseDivergence).epsilon(0.01));
+  CHECK(mean_divergence(power, itakura_saito(power, background_nmf(WordFit(power))), everywhere,
+                        power.bins()) == doctest::Approx(kNoiseDivergence).epsilon(0.01));
 }
 
 TEST_CASE("click-synchronous words find the two spectra a mixture was made of") {
@@ -166,14 +166,14 @@ TEST_CASE("click-synchronous words find the two spectra a mixture was made of") 
   const int frames = 375;
   const PowerSpectrogram shape = noisy_power(Grid::Constant(32, frames, 1.0f), 10);
   CsNmfOptions options;
-  const Factors like = cs_nmf(shape, {{train}}, options);
+  const Factors like = cs_nmf(WordFit(shape), {{train}}, options);
   Grid S(32, frames), N(32, frames);
   for (int m = 0; m < 32; ++m) {
     S.row(m) = like.H.row(2).head(frames) * (m < 16 ? 4.0f : 0.01f);
     N.row(m).setConstant(m < 16 ? 0.02f : 1.0f);
   }
   const PowerSpectrogram power = noisy_power(S + N, 11);
-  const PsdPair psd = modelled_psd(cs_nmf(power, {{train}}, options), power);
+  const PsdPair psd = modelled_psd(cs_nmf(WordFit(power), {{train}}, options), power);
   CHECK(psd.S.topRows(16).mean() == doctest::Approx(S.topRows(16).mean()).epsilon(0.1));
   CHECK(psd.N.bottomRows(16).mean() == doctest::Approx(1.0).epsilon(0.1));
   CHECK(psd.S.bottomRows(16).mean() < 0.15);
@@ -198,7 +198,7 @@ TEST_CASE("steady noise goes to the background where slow tails are dear, and lo
   dear.slow_cost = 0.06f;
   const PowerSpectrogram noise = noisy_power(Grid::Constant(64, frames, 1.0f), 12);
   const auto drilling = [&](const PowerSpectrogram& power, const CsNmfOptions& options) {
-    return modelled_psd(cs_nmf(power, {{train, decays}}, options), power).S.mean();
+    return modelled_psd(cs_nmf(WordFit(power), {{train, decays}}, options), power).S.mean();
   };
   CHECK(drilling(noise, dear) < 0.7 * drilling(noise, free));
   const Grid tails = click_activations(train, decays, frames, frames).row(0).replicate(64, 1);
