@@ -6,12 +6,12 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "report/bank_page.hpp"
 #include "rigsound/analysis/bank_comparison.hpp"
 #include "rigsound/config/bank_files.hpp"
+#include "rigsound/config/json.hpp"
 #include "rigsound/config/refinement.hpp"
 #include "rigsound/machine/input_error.hpp"
 
@@ -19,8 +19,6 @@ namespace rigsound::analysis {
 namespace fs = std::filesystem;
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Raised whenever the chain or the bank builder changes what it computes: older banks are then analysed anew.
 constexpr int kAnalysisRevision = 8;
@@ -60,12 +58,12 @@ std::string figures_text(const BankFigures& figures) {
   json["machine"] = figures.machine;
   json["machine_rates_hz"] = figures.machine_rates_hz;
   json["doubt"] = figures.doubt;
-  return json.dump(2) + "\n";
+  return config::json_lines(json) + "\n";
 }
 
 BankFigures read_figures(const fs::path& path) {
   std::ifstream in(path);
-  const Json json = Json::parse(in);
+  const Json json = config::parsed_json(std::string(std::istreambuf_iterator<char>(in), {}));
   BankFigures figures;
   figures.clicks_found = json.at("clicks_found");
   figures.segments = json.at("segments");

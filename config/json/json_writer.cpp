@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "rigsound/config/json.hpp"
 
 namespace rigsound::config {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 double rounded(double x, const Range& range) {
   if (range.decimals < 0) return x;
@@ -20,12 +19,10 @@ double level(double x, double per_decade, const Range& levels) {
   return rounded(x > 0 ? std::max(levels.min, per_decade * std::log10(x)) : levels.min, levels);
 }
 
-std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
 void append(const Json& json, int depth, std::string& text) {
   const bool nested = json.is_array() && !json.empty() && json.front().is_object();
   if (!json.is_object() && !nested) {
-    text += dumped(json);
+    text += json_line(json);
     return;
   }
   const std::string indent(static_cast<std::size_t>(2 * depth + 2), ' ');
@@ -33,7 +30,7 @@ void append(const Json& json, int depth, std::string& text) {
   std::size_t left = json.size();
   for (const auto& [key, value] : json.items()) {
     text += indent;
-    if (!nested) text += dumped(key) + ": ";
+    if (!nested) text += json_line(key) + ": ";
     append(value, depth + 1, text);
     text += --left ? ",\n" : "\n";
   }
@@ -42,13 +39,11 @@ void append(const Json& json, int depth, std::string& text) {
 
 }  // namespace
 
-nlohmann::ordered_json& JsonWriter::child(const char* key, Kind kind) {
+Json& JsonWriter::child(const char* key, Kind kind) {
   return out_[key] = kind == Kind::kList ? Json::array() : Json::object();
 }
 
-nlohmann::ordered_json& JsonWriter::next_item(nlohmann::ordered_json& list) {
-  return list.emplace_back(Json::object());
-}
+Json& JsonWriter::next_item(Json& list) { return list.emplace_back(Json::object()); }
 
 void JsonWriter::operator()(const char* key, const double& x, const Range& range) {
   out_[key] = rounded(x, range);
@@ -88,7 +83,7 @@ void JsonWriter::operator()(const char* level_key, const char* phase_key,
     phase_list.push_back(rounded(static_cast<double>(std::arg(c)), phases));
 }
 
-std::string json_text(const nlohmann::ordered_json& json) {
+std::string json_text(const Json& json) {
   std::string text;
   append(json, 0, text);
   return text + "\n";

@@ -1,14 +1,13 @@
 #include "sound_set/background_json.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "json/json_reader.hpp"
 #include "json/json_writer.hpp"
+#include "rigsound/config/json.hpp"
 
 namespace rigsound::config {
 
 std::string background_json(const DieselModel& model) {
-  nlohmann::ordered_json json;
+  Json json;
   json["format"] = kBackgroundFormat;
   JsonWriter(json).write(model);
   return json_text(json);

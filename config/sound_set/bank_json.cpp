@@ -1,14 +1,13 @@
 #include "sound_set/bank_json.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "json/json_reader.hpp"
 #include "json/json_writer.hpp"
+#include "rigsound/config/json.hpp"
 
 namespace rigsound::config {
 
 std::string bank_json(const ClickBank& bank, const Provenance& provenance) {
-  nlohmann::ordered_json json;
+  Json json;
   json["format"] = kBankFormat;
   JsonWriter writer(json);
   writer.write(bank);

@@ -1,10 +1,10 @@
 #include "rigsound/config/refinement.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "json/json_file.hpp"
 #include "json/json_writer.hpp"
+#include "rigsound/config/json.hpp"
 #include "rigsound/refined_bank.hpp"
 #include "sound_set/clicks_wav.hpp"
 
@@ -52,7 +52,7 @@ ClickBank refined(const ClickBank& analysed, const Refinement& refinement) {
 }
 
 std::string refinement_text(const Refinement& refinement) {
-  nlohmann::ordered_json json{{"format", kRefinementFormat}};
+  Json json{{"format", kRefinementFormat}};
   for (const ControlInfo& control : control_table())
     json["controls"][std::string(control.name)] = refinement.controls.*control.field;
   json["dropped"] = refinement.dropped;

@@ -1,10 +1,10 @@
 #include "sound_set/tool_json.hpp"
 
 #include <initializer_list>
-#include <nlohmann/json.hpp>
 
 #include "json/json_reader.hpp"
 #include "json/json_writer.hpp"
+#include "rigsound/config/json.hpp"
 #include "rigsound/machine/limits.hpp"
 
 namespace rigsound::config {
@@ -13,10 +13,10 @@ namespace {
 
 template <class Model>
 std::string json_of(const Model& model) {
-  nlohmann::ordered_json json;
+  Json json;
   json["format"] = kToolFormat;
   JsonWriter(json).write(model);
-  return json.dump(2) + "\n";
+  return json_lines(json) + "\n";
 }
 
 /// `check` throws InvalidField.

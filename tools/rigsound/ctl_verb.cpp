@@ -32,7 +32,7 @@ struct CtlArguments {
 
 void status(const CtlArguments& o) {
   const Json answer = ControlClient(o.socket).ask({{"command", "status"}});
-  fmt::print("{}", o.json ? answer.dump() + "\n" : status_text(answer));
+  fmt::print("{}", o.json ? config::json_line(answer) + "\n" : status_text(answer));
 }
 
 /// Overwrites the view before instead of clearing it first, which would flicker.
@@ -95,7 +95,7 @@ void print_changes(const std::string& time, const std::string& path, const Json&
     const std::string value = change.is_null()           ? "-"
                               : change.is_string()       ? change.get<std::string>()
                               : change.is_number_float() ? fmt::format("{:.5g}", change.get<double>())
-                                                         : change.dump();
+                                                         : config::json_line(change);
     return fmt::print("{} {} {}\n", time, path, value);
   }
   for (const auto& [key, value] : change.items())
@@ -111,7 +111,7 @@ void subscribe(const CtlArguments& o) {
   for (;;) {
     const Json event = client.next_event();
     if (o.json)
-      fmt::print("{}\n", event.dump());
+      fmt::print("{}\n", config::json_line(event));
     else
       print_changes(fmt::format("{:.1f}", event["uptime_s"].get<double>()), "", event["change"]);
     std::fflush(stdout);

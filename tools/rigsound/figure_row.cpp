@@ -75,9 +75,6 @@ Json json_list(const std::vector<FigureRow>& rows) {
   return list;
 }
 
-void print_document(const Json& json, std::FILE* to) {
-  // A name that is no UTF-8 must not cost the figures.
-  fmt::print(to, "{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
-}
+void print_document(const Json& json, std::FILE* to) { fmt::print(to, "{}\n", config::json_lines(json)); }
 
 }  // namespace rigsound::tools

@@ -2,13 +2,12 @@
 #pragma once
 
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-namespace rigsound::tools {
+#include "rigsound/config/json.hpp"
 
-using Json = nlohmann::ordered_json;
+namespace rigsound::tools {
 
 /// In the order in which they were added. A number that is none is empty in text; JSON has null for it and
 /// for an infinite one. Thread: OFF.

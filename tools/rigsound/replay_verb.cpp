@@ -2,7 +2,6 @@
 
 #include <cstdio>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <type_traits>
@@ -10,6 +9,7 @@
 #include "log_arguments.hpp"
 #include "progress_bar.hpp"
 #include "rigsound/can/can_sender.hpp"
+#include "rigsound/config/json.hpp"
 #include "rigsound/log/can_reader.hpp"
 #include "rigsound/log/log_clock.hpp"
 #include "rigsound/log/modbus_capture.hpp"
@@ -38,13 +38,13 @@ struct Skips {
 };
 
 void report(const ReplayArguments& o, const log::ReplayClock& clock, const Skips& skips) {
-  const nlohmann::ordered_json json = {{"sent", clock.entries()},
-                                       {"late_mean_ms", clock.mean_late_s() * 1e3},
-                                       {"late_worst_ms", clock.worst_late_s() * 1e3},
-                                       {"refused", skips.refused},
-                                       {"not_sent", skips.unwritable},
-                                       {"queue_full", skips.waits}};
-  if (o.json) return fmt::print("{}\n", json.dump());
+  const Json json = {{"sent", clock.entries()},
+                     {"late_mean_ms", clock.mean_late_s() * 1e3},
+                     {"late_worst_ms", clock.worst_late_s() * 1e3},
+                     {"refused", skips.refused},
+                     {"not_sent", skips.unwritable},
+                     {"queue_full", skips.waits}};
+  if (o.json) return fmt::print("{}\n", config::json_line(json));
   for (const auto& [key, value] : json.items())
     value.is_number_float() ? fmt::print("{} {:.3f}\n", key, value.get<double>())
                             : fmt::print("{} {}\n", key, value.get<std::uint64_t>());

@@ -77,7 +77,7 @@ std::vector<std::string> situations(const SimulateOptions& o, const std::filesys
 Json figure(const std::string& word) {
   const std::size_t dots = word.find("..");
   if (dots != std::string::npos) return {figure(word.substr(0, dots)), figure(word.substr(dots + 2))};
-  const Json number = Json::parse(word, nullptr, false);
+  const Json number = config::parsed_json(word);
   return number.is_number() ? number : Json(word);
 }
 

@@ -64,9 +64,7 @@ Json answer_json(const Json& request, DaemonControl& daemon, ClientState& client
   refuse_command(command);
 }
 
-std::string line_of(const Json& answer) {
-  return answer.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
+std::string line_of(const Json& answer) { return config::json_line(answer) + "\n"; }
 
 std::string refusal_line(const std::string& error) { return line_of({{"ok", false}, {"error", error}}); }
 
@@ -74,9 +72,9 @@ std::string refusal_line(const std::string& error) { return line_of({{"ok", fals
 
 std::string answer(const std::string& request, DaemonControl& daemon, ClientState& client) {
   try {
-    const Json json = answer_json(Json::parse(request), daemon, client);
+    const Json json = answer_json(config::parsed_json(request), daemon, client);
     return json.is_null() ? "" : line_of(json);
-  } catch (const nlohmann::json::exception&) {
+  } catch (const Json::exception&) {
     return refusal_line("expected one JSON object a line, like {\"command\": \"status\"}");
   } catch (const std::exception& refused) {
     return refusal_line(refused.what());

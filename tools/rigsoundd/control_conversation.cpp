@@ -2,15 +2,14 @@
 
 #include <openssl/crypto.h>
 
-#include <nlohmann/json.hpp>
-
+#include "rigsound/config/json.hpp"
 #include "snapshot_json.hpp"
 
 namespace rigsound::daemon {
 
 // In a time that does not tell how much of it was right.
 bool ControlConversation::is_token(const std::string& request) const {
-  const nlohmann::json said = nlohmann::json::parse(request, nullptr, false);
+  const Json said = config::parsed_json(request);
   if (!said.is_object() || said.size() != 1 || !said.contains("token") || !said["token"].is_string())
     return false;
   const std::string& token = said["token"].get_ref<const std::string&>();

@@ -2,14 +2,12 @@
 // drill.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "commands.hpp"
+#include "rigsound/config/json.hpp"
 
 namespace rigsound::daemon {
-
-using Json = nlohmann::ordered_json;
 
 /// A request that cannot be met; what() is for the user.
 struct Refused : std::runtime_error {

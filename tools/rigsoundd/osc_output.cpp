@@ -1,15 +1,13 @@
 #include "osc_output.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "rigsound/config/json.hpp"
 #include "rigsound/osc/address_space.hpp"
 #include "snapshot_json.hpp"
 
 namespace rigsound::daemon {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostOfBundle = 40;  // of some 40 bytes: fits a packet of most networks, nearly
 

@@ -7,8 +7,6 @@
 namespace rigsound::daemon {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr const char* kEventNames[audio::kCardEventCount] = {"xruns",        "suspends",      "bad_states",
                                                              "short_writes", "interruptions", "losses"};
 

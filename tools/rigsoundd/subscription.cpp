@@ -82,7 +82,7 @@ Json merge_patch(const Json& before, const Json& after) {
 }
 
 std::string topic_named(const Json& given) {
-  std::string name = given.is_string() ? given.get<std::string>() : given.dump();
+  std::string name = given.is_string() ? given.get<std::string>() : config::json_line(given);
   if (std::find(kTopics.begin(), kTopics.end(), name) != kTopics.end()) return name;
   const std::string_view near = config::nearest_word(name, kTopics);
   throw Refused(near.empty() ? fmt::format("topics: {}: is none, expected {}", name, fmt::join(kTopics, ", "))
@@ -109,7 +109,7 @@ std::string Subscription::line(const Json& status, double now_s) {
   const Json line = {
       {"event", "change"}, {"uptime_s", status["uptime_s"]}, {"missed", missed_}, {"change", change}};
   missed_ = 0;
-  return line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return config::json_line(line) + "\n";
 }
 
 void Subscription::miss(double now_s) {

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+
+#include "rigsound/config/json.hpp"
 
 namespace rigsound::daemon {
 
@@ -14,8 +15,6 @@ namespace rigsound::daemon {
 /// by name, and what grows with every block is left out. The first line tells everything. Thread: CT.
 class Subscription {
  public:
-  using Json = nlohmann::ordered_json;
-
   /// Errors: Refused.
   explicit Subscription(const Json& request);
 

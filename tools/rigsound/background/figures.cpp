@@ -3,16 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "rigsound/analysis/rate.hpp"
+#include "rigsound/config/json.hpp"
 
 namespace rigsound::tools {
 namespace {
 
-nlohmann::ordered_json figures_of(const analysis::LearnedDiesel& learned, const std::string& sound_set) {
+Json figures_of(const analysis::LearnedDiesel& learned, const std::string& sound_set) {
   const DieselModel& m = learned.model;
-  nlohmann::ordered_json points = nlohmann::ordered_json::array();
+  Json points = Json::array();
   double samples = 0;
   for (const analysis::LearnedPoint& p : learned.points) {
     samples += p.seconds * analysis::kAnalysisRate;
@@ -37,11 +37,11 @@ nlohmann::ordered_json figures_of(const analysis::LearnedDiesel& learned, const 
 }  // namespace
 
 std::string figures_json(const analysis::LearnedDiesel& learned, const std::string& sound_set) {
-  return figures_of(learned, sound_set).dump();
+  return config::json_line(figures_of(learned, sound_set));
 }
 
 std::string figures_line(const analysis::LearnedDiesel& learned) {
-  const nlohmann::ordered_json r = figures_of(learned, {});
+  const Json r = figures_of(learned, {});
   double low = 1e9, high = 0, cycles = 0, correlation = 1;
   for (const auto& p : r["points"]) {
     low = std::min(low, p["rpm"].get<double>()), high = std::max(high, p["rpm"].get<double>());

@@ -24,15 +24,22 @@ ControlClient::ControlClient(const std::string& socket)
 }
 
 Json ControlClient::ask(const Json& request) {
-  const std::string line = request.dump() + "\n";
+  const std::string line = config::json_line(request) + "\n";
   if (::send(fd_.get(), line.data(), line.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(line.size()))
     throw DeviceError(socket_ + ": rigsoundd has gone");
-  Json answer = Json::parse(next_line());
+  Json answer = next_object();
   if (!answer.value("ok", false)) throw std::runtime_error(answer.value("error", "refused"));
   return answer;
 }
 
-Json ControlClient::next_event() { return Json::parse(next_line()); }
+Json ControlClient::next_event() { return next_object(); }
+
+Json ControlClient::next_object() {
+  Json object = config::parsed_json(next_line());
+  if (!object.is_object())
+    throw DeviceError(socket_ + ": what answers there is no rigsoundd: its line is no JSON object");
+  return object;
+}
 
 std::string ControlClient::next_line() {
   std::size_t end = 0;

@@ -1,14 +1,12 @@
 // The other end of the daemon's control socket.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "rigsound/config/json.hpp"
 #include "rigsound/file/file_descriptor.hpp"
 
 namespace rigsound::tools {
-
-using Json = nlohmann::ordered_json;
 
 class ControlClient {
  public:
@@ -23,6 +21,7 @@ class ControlClient {
   Json next_event();
 
  private:
+  Json next_object();
   std::string next_line();
 
   std::string socket_;

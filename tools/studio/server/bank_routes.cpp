@@ -75,7 +75,7 @@ Json figures_json(const fs::path& folder) {
   const fs::path file = folder / "figures.json";
   std::error_code none;
   if (!fs::is_regular_file(file, none)) return nullptr;
-  Json figures = Json::parse(InputFile(file, "figures", kMostBytes).content(), nullptr, false);
+  Json figures = config::parsed_json(InputFile(file, "figures", kMostBytes).content());
   return figures.is_object() ? figures : Json();
 }
 

@@ -36,7 +36,7 @@ void export_page(const StudioOptions& options, const fs::path& file) {
   const fs::path pages = find_pages(options.pages);
   std::string page = content(pages / "export.html", "the page to export");
   const std::array<std::pair<std::string, std::string>, 3> marks = {{
-      {"RIGSOUND_RIG_JSON", in_script(rig_description(place).dump())},
+      {"RIGSOUND_RIG_JSON", in_script(config::json_line(rig_description(place)))},
       {"RIGSOUND_RIGSET", page_text(deflated(byte_planes(packed_sound_set(place, PackRig::kEmbedded))))},
       {"RIGSOUND_ENGINE", page_text(deflated(content(pages / "engine.wasm", "the engine for a page")))},
   }};

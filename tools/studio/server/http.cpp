@@ -21,7 +21,7 @@ double Request::number(const std::string& name, double otherwise) const {
 Json Request::object() const {
   if (config::position_below(body, config::kMaxJsonDepth) != std::string::npos)
     throw ApiError(400, "body: more than 32 levels of brackets");
-  Json json = Json::parse(body, nullptr, false);
+  Json json = config::parsed_json(body);
   if (!json.is_object()) throw ApiError(400, "body: expected a JSON object");
   return json;
 }
@@ -29,7 +29,7 @@ Json Request::object() const {
 Answer json_answer(const Json& json, int status) {
   Answer answer;
   answer.status = status;
-  answer.body = json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  answer.body = config::json_line(json) + "\n";
   return answer;
 }
 

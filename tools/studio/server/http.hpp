@@ -3,15 +3,14 @@
 
 #include <functional>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace rigsound::studio {
+#include "rigsound/config/json.hpp"
 
-using Json = nlohmann::ordered_json;
+namespace rigsound::studio {
 
 constexpr std::size_t kMostBodyBytes = 1 << 20, kMostResultBytes = 4 << 20;
 

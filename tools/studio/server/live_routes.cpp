@@ -26,10 +26,10 @@ class LiveEvents {
 
   bool next(std::string& piece) {
     try {
-      piece = client_->next_event().dump() + "\n";
+      piece = config::json_line(client_->next_event()) + "\n";
       return true;
     } catch (const DeviceError& error) {
-      piece = Json{{"event", "gone"}, {"error", error.what()}}.dump() + "\n";
+      piece = config::json_line({{"event", "gone"}, {"error", error.what()}}) + "\n";
       return false;
     }
   }

@@ -130,7 +130,7 @@ Answer get_tool(const Workplace& place, const std::string& name) {
   const fs::path file = tool_file(place, name);
   std::error_code none;
   if (!fs::is_regular_file(file, none)) throw ApiError(404, "there is no such tool");
-  Json tool = Json::parse(InputFile(file, "tool", kMostToolBytes).content(), nullptr, false);
+  Json tool = config::parsed_json(InputFile(file, "tool", kMostToolBytes).content());
   if (!tool.is_object()) throw ApiError(422, file.filename().string() + ": is no JSON object");
   Json json = saved_json(name, file);
   json["tool"] = tool;
