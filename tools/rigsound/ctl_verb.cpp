@@ -137,7 +137,7 @@ void release_value(const CtlArguments& o) {
 std::string settable() {
   std::string text = "Signals of the machine, which then stand until released, whatever a bus says:\n";
   const auto add = [&text](std::string_view name, const std::string& range, std::string_view meaning) {
-    fmt::format_to(std::back_inserter(text), "{} {}: {}\n", name, range, meaning);
+    text += fmt::format("{} {}: {}\n", name, range, meaning);
   };
   for (const SignalInfo& signal : signal_table()) {
     std::string range(signal.words);

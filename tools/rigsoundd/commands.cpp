@@ -45,7 +45,7 @@ constexpr std::array<std::string_view, 9> kCommands = {
 [[noreturn]] void refuse_command(const std::string& command) {
   const std::string_view near = config::nearest_word(command, kCommands);
   throw Refused(near.empty()
-                    ? fmt::format("\"{}\": unknown command, expected {}", command, fmt::join(kCommands, ", "))
+                    ? fmt::format("\"{}\": unknown command, expected {}", command, config::listed(kCommands))
                     : fmt::format("\"{}\": unknown command, did you mean {}?", command, near));
 }
 

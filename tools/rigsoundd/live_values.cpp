@@ -43,14 +43,14 @@ Target named(const std::string& name) {
   if (target.control != nullptr) return target;
   throw Refused(fmt::format(
       "{}: is no signal and no control, {}", name,
-      or_nearest(name, known, fmt::format("expected [BOOM.] and one of {}", fmt::join(known, ", ")))));
+      or_nearest(name, known, fmt::format("expected [BOOM.] and one of {}", config::listed(known)))));
 }
 
 int boom_named(const std::string& name, const std::vector<std::string>& booms) {
   if (const auto found = std::find(booms.begin(), booms.end(), name); found != booms.end())
     return static_cast<int>(found - booms.begin());
   throw Refused(fmt::format("{}: is no boom of the rig, {}", name,
-                            or_nearest(name, booms, fmt::format("expected {}", fmt::join(booms, ", ")))));
+                            or_nearest(name, booms, fmt::format("expected {}", config::listed(booms)))));
 }
 
 Target target_of(const std::string& key, const std::vector<std::string>& booms) {
@@ -94,7 +94,7 @@ double value_of(const Json& given, const Target& target, const DaemonControl& da
     return static_cast<double>(found - words.begin());
   const std::string expected = words.empty()
                                    ? fmt::format("expected a number, {}", range)
-                                   : fmt::format("expected {}, or {}", fmt::join(words, ", "), range);
+                                   : fmt::format("expected {}, or {}", config::listed(words), range);
   throw Refused(fmt::format("{}: is {}, {}", target.name(), word, or_nearest(word, words, expected)));
 }
 

@@ -32,11 +32,12 @@ void start_log() {
 
 void stop_log() { spdlog::shutdown(); }
 
-void log_info(const std::string& text) { spdlog::info("{}", text); }
+// As one argument a text is no format: braces in it stay.
+void log_info(const std::string& text) { spdlog::info(text); }
 
-void log_warning(const std::string& text) { spdlog::warn("{}", text); }
+void log_warning(const std::string& text) { spdlog::warn(text); }
 
-void log_error(const std::string& text) { spdlog::error("{}", text); }
+void log_error(const std::string& text) { spdlog::error(text); }
 
 std::uint64_t lost_log_entries() {
   const auto pool = spdlog::thread_pool();

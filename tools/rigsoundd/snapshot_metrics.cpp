@@ -44,13 +44,13 @@ std::string escaped(const std::string& text) {
 class Page {
  public:
   void family(const char* name, const char* type, const char* help, const char* unit = "") {
-    fmt::format_to(out(), "# TYPE rigsound_{} {}\n", name, type);
-    if (*unit != 0) fmt::format_to(out(), "# UNIT rigsound_{} {}\n", name, unit);
-    fmt::format_to(out(), "# HELP rigsound_{} {}\n", name, help);
+    text_ += fmt::format("# TYPE rigsound_{} {}\n", name, type);
+    if (*unit != 0) text_ += fmt::format("# UNIT rigsound_{} {}\n", name, unit);
+    text_ += fmt::format("# HELP rigsound_{} {}\n", name, help);
   }
   template <typename Number>
   void sample(const std::string& name, const std::string& labels, Number value) {
-    fmt::format_to(out(), "rigsound_{}{} {}\n", name, labels.empty() ? "" : "{" + labels + "}", value);
+    text_ += fmt::format("rigsound_{}{} {}\n", name, labels.empty() ? "" : "{" + labels + "}", value);
   }
   template <typename Number>
   void counter(const char* name, Number value, const char* help) {
@@ -64,7 +64,6 @@ class Page {
   std::string finish() { return text_ + "# EOF\n"; }
 
  private:
-  std::back_insert_iterator<std::string> out() { return std::back_inserter(text_); }
   std::string text_;
 };
 

@@ -66,9 +66,9 @@ std::string banks_line(const Json& boom) {
   for (const Json& bank : boom["banks"]) {
     const int rods = bank["rods"];
     const std::string rock = bank["rock"];
-    fmt::format_to(std::back_inserter(text), "{}{} {:.0f} % ({} rods, {})", text.empty() ? "" : ", ",
-                   bank["name"].get<std::string>(), bank["share"].get<double>() * 100,
-                   rods > 0 ? std::to_string(rods) : "any", rock.empty() ? "any rock" : rock);
+    text += fmt::format("{}{} {:.0f} % ({} rods, {})", text.empty() ? "" : ", ",
+                        bank["name"].get<std::string>(), bank["share"].get<double>() * 100,
+                        rods > 0 ? std::to_string(rods) : "any", rock.empty() ? "any rock" : rock);
   }
   return text.empty() ? "none" : text;
 }
@@ -95,14 +95,14 @@ std::string words(std::string key) {
 std::string bus_lines(const Json& s) {
   std::string text;
   for (const Json& bus : s["buses"]) {
-    fmt::format_to(std::back_inserter(text), "bus      {} {}\n", bus["name"].get<std::string>(),
-                   bus["up"].get<bool>() ? "up" : "DOWN");
+    text += fmt::format("bus      {} {}\n", bus["name"].get<std::string>(),
+                        bus["up"].get<bool>() ? "up" : "DOWN");
     const std::string problem = bus["problem"];
     if (!problem.empty()) text += "         " + problem + "\n";
     const char* separator = "         ";
     for (const auto& [key, value] : bus.items()) {
       if (!value.is_number()) continue;
-      fmt::format_to(std::back_inserter(text), "{}{} {}", separator, value.get<std::uint64_t>(), words(key));
+      text += fmt::format("{}{} {}", separator, value.get<std::uint64_t>(), words(key));
       separator = ", ";
     }
     text += "\n";
@@ -115,9 +115,9 @@ std::string signal_lines(const Json& s) {
   for (const Json& signal : s["signals"]) {
     const std::string refused = refused_text(signal);
     if (!is_told(signal) && refused.empty()) continue;
-    fmt::format_to(std::back_inserter(text), "  {:<28} {:>10} {:<6} {:>8}  {}{}{}\n",
-                   signal["name"].get<std::string>(), value_text(signal), signal["unit"].get<std::string>(),
-                   age(signal), signal["validity"].get<std::string>(), refused.empty() ? "" : ", ", refused);
+    text += fmt::format("  {:<28} {:>10} {:<6} {:>8}  {}{}{}\n", signal["name"].get<std::string>(),
+                        value_text(signal), signal["unit"].get<std::string>(), age(signal),
+                        signal["validity"].get<std::string>(), refused.empty() ? "" : ", ", refused);
   }
   return text.empty() ? "signals  none seen yet\n" : "signals\n" + text;
 }

@@ -78,8 +78,8 @@ std::string controls_text(const Json& boom) {
   for (const ControlInfo& control : control_table()) {
     const double value = boom[std::string(control.name)];
     if (value == control.neutral) continue;
-    fmt::format_to(std::back_inserter(text), "{}{} {:g}{}{}", text.empty() ? "" : ", ", control.name, value,
-                   control.unit.empty() ? "" : " ", control.unit);
+    text += fmt::format("{}{} {:g}{}{}", text.empty() ? "" : ", ", control.name, value,
+                        control.unit.empty() ? "" : " ", control.unit);
   }
   return text;
 }

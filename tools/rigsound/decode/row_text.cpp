@@ -1,11 +1,10 @@
 #include "decode/row_text.hpp"
 
-#include <fmt/compile.h>
-
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <string>
 
 namespace rigsound::tools {
 namespace {
@@ -16,6 +15,10 @@ constexpr double kTenDigits_micros = 1e10;
 
 /// What becomes of zeros at the end of the six decimals.
 enum class Zeros { kKept, kDropped };
+
+void append(fmt::memory_buffer& text, const std::string& more) {
+  text.append(more.data(), more.data() + more.size());
+}
 
 void append_micros(fmt::memory_buffer& text, std::uint64_t micros, Zeros zeros) {
   std::array<char, 24> digits;
@@ -37,7 +40,7 @@ void append_seconds(fmt::memory_buffer& text, double seconds) {
   const double micros = seconds * kMicro, whole = std::floor(micros), part = micros - whole;
   const bool near_a_half = std::fabs(part - 0.5) < 1e-3;  // which way it goes, its exact value says
   if (!(micros >= 0 && micros < kMostMicros) || near_a_half || std::signbit(seconds)) {
-    fmt::format_to(fmt::appender(text), FMT_COMPILE("{:.6f}"), seconds);
+    append(text, fmt::format("{:.6f}", seconds));
     return;
   }
   append_micros(text, static_cast<std::uint64_t>(whole) + (part > 0.5 ? 1 : 0), Zeros::kKept);
@@ -47,7 +50,7 @@ void append_value(fmt::memory_buffer& text, double value) {
   const double micros = std::fabs(value) * kMicro, whole = std::floor(micros);
   const bool short_one = micros == whole && micros < kTenDigits_micros && (micros >= 100 || value == 0);
   if (!short_one || (value == 0 && std::signbit(value))) {
-    fmt::format_to(fmt::appender(text), FMT_COMPILE("{:.10g}"), value);
+    append(text, fmt::format("{:.10g}", value));
     return;
   }
   if (value < 0) text.push_back('-');

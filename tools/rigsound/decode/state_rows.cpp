@@ -50,8 +50,7 @@ void StateRows::add(double time_s, std::string_view label, std::string_view valu
   if (form_ == Form::kCsv)
     append_seconds(text_, time_s), append(","), append(label), append(","), append(value), append("\n");
   else
-    fmt::format_to(fmt::appender(text_), "{}{}", between_,
-                   config::json_line(figures(time_s, label, value).json()));
+    append(between_), append(config::json_line(figures(time_s, label, value).json()));
   between_ = ",\n";
   if (text_.size() >= kWrittenAtOnce) write_out();
 }
