@@ -14,7 +14,7 @@ void run(benchmark::State& bench, const EngineOptions& options, double from_seco
   Engine engine(options, tools::formula_sounds(options.sample_rate));
   std::vector<float> block(static_cast<std::size_t>(options.block * options.channels));
   double second = from_second;
-  for (auto _ : bench) {
+  while (bench.KeepRunning()) {
     engine.process(tools::drilled_hole(second), block.data());
     benchmark::DoNotOptimize(block.data());
     second = second < from_second + 4 ? second + options.block / options.sample_rate : from_second;
