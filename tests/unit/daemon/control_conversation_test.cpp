@@ -60,6 +60,8 @@ TEST_CASE("news come to a subscriber only, when they are due, and cover what it 
   talk.news_not_taken(12);         // not yet due
   talk.news_not_taken(13);
   CHECK(talk.news(13.5).empty());
+  daemon.reloads = 1;
+  CHECK(talk.news(14).find("\"missed\":1,") != std::string::npos);
   CHECK(is_good(talk.answer(R"({"command":"unsubscribe"})")));
   CHECK_FALSE(talk.wants_news());
   CHECK(talk.news(100).empty());

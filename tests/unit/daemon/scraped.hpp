@@ -1,4 +1,4 @@
-// A daemon that tells its metrics and knows nothing else.
+// A daemon that tells its figures and knows nothing else.
 #pragma once
 
 #include <string>
@@ -12,6 +12,7 @@ struct Scraped : daemon::DaemonControl {
   daemon::Snapshot snapshot() const override {
     daemon::Snapshot s;
     s.blocks = blocks;
+    s.reloads = reloads;
     return s;
   }
   daemon::Snapshot scrape() override {
@@ -31,7 +32,7 @@ struct Scraped : daemon::DaemonControl {
   void release(SignalId) override {}
 
   int scrapes = 0;
-  std::uint64_t blocks = 0;
+  std::uint64_t blocks = 0, reloads = 0;
 };
 
 }  // namespace rigsound::test
