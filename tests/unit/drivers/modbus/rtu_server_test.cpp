@@ -3,29 +3,44 @@
 
 #include <doctest/doctest.h>
 
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
 #include "drivers/modbus/bus_harness.hpp"
 #include "drivers/modbus/serial_line.hpp"
 
+namespace fs = std::filesystem;
 using namespace rigsound;
 using namespace rigsound::modbus;
 
 namespace {
 
-struct ServedLine : SerialLine {
-  ServedLine() {
+struct OpenedLine : SerialLine {
+  OpenedLine() {
     options.transport = Transport::kRtu;
     options.address = device();
     options.unit = 17;
     options.routes = {route(Signal::kFeedPressureBar, Table::kHolding, 0)};
     server = std::make_unique<RtuServer>(options, told, nullptr);
     server->step();  // opens the line
-    running = std::make_unique<Running>(*server);
+  }
+  /// What the server reads the line through.
+  int descriptor() const {
+    for (const fs::directory_entry& entry : fs::directory_iterator("/proc/self/fd"))
+      if (std::error_code gone; fs::read_symlink(entry, gone) == device())
+        return std::stoi(entry.path().filename());
+    FAIL("the line is not open");
+    return -1;
   }
 
   ModbusOptions options;
   Told told;
   std::unique_ptr<RtuServer> server;
-  std::unique_ptr<Running> running;
+};
+
+struct ServedLine : OpenedLine {
+  Running running{*server};
 };
 
 const Bytes kWrite85 = with_checksum({17, 6, 0, 0, 0, 85});
@@ -112,4 +127,16 @@ TEST_CASE("A line that goes away is told, and looked for") {
   line.cut();
   await([&] { return line.told.downs() == 1; });
   await([&] { return line.told.notices() >= 1; });
+}
+
+// As of an adapter that is pulled out: something is to be read, and reading fails. So does reading a folder.
+TEST_CASE("A line that cannot be read is lost, told with why, and looked for") {
+  OpenedLine line;
+  const FileDescriptor folder(::open("/", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  const int read_through = line.descriptor();
+  REQUIRE(::dup2(folder.get(), read_through) == read_through);
+  line.server->step();
+  CHECK(line.told.downs() == 1);
+  CHECK(line.told.last_text() == std::strerror(EISDIR));
+  CHECK(count(*line.server, "losses") == 1);
 }
