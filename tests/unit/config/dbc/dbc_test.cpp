@@ -193,6 +193,21 @@ BO_ 1 A: 8 X
   CHECK(dbc.nodes == std::vector<std::string>{"A"});
 }
 
+TEST_CASE("the list of new symbols ends where one of its words begins a section") {
+  const config::Dbc dbc = config::parse_dbc(R"(NS_ :
+ CM_
+ BA_DEF_
+ BA_DEF_DEF_
+BA_DEF_ BO_ "GenMsgCycleTime" INT 0 9000;
+BA_DEF_DEF_ "GenMsgCycleTime" 250;
+BO_ 1 A: 8 X
+)",
+                                            "t.dbc");
+  CHECK(dbc.unread.empty());
+  REQUIRE(dbc.find("A") != nullptr);
+  CHECK(dbc.find("A")->cycle_s == 0.25);
+}
+
 TEST_CASE("what is wrong is said with line, section and what was expected") {
   const auto said = [](const char* text) {
     const config::Dbc dbc = config::parse_dbc(text, "t.dbc");
@@ -231,6 +246,9 @@ TEST_CASE("a line that cannot be read costs its message and nothing else") {
       good + "BO_ 3 Q: 8 A\n SG_ X m : 0|8@1+ (1,0) [0|1] \"\" A\n" + "SG_ Y : 8|8@1+ (1,0) [0|1] \"\" A\n",
       "t.dbc");
   CHECK(dbc.find("Q")->broken.rfind("t.dbc:4: SG_: signal X has a wrong multiplexing word", 0) == 0);
+  CHECK(dbc.unread.empty());                                            // it is known by name
+  CHECK(config::parse_dbc("CM_ 5;\n" + good, "t.dbc").unread.empty());  // is no message
+  CHECK(config::parse_dbc("BO_ 0x55 Q: 8 A\n" + good, "t.dbc").unread.size() == 1);
   // What a section says of a message makes it what it is.
   CHECK_FALSE(config::parse_dbc(good + "SIG_VALTYPE_ 256 S : 7;", "t.dbc").find("M")->broken.empty());
 }

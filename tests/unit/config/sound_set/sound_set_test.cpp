@@ -56,6 +56,23 @@ TEST_CASE("a merged index keeps comments and hand edits and adds only what is ne
   CHECK(index.banks[5].gain_db == 1.25);
 }
 
+TEST_CASE("a bank is merged once for each situation") {
+  const TemporaryFolder set;
+  config::SoundSetIndex index;
+  index.banks.resize(1);
+  const auto listed_with = [&](const char* name, Situation situation) {
+    index.banks[0].name = name;
+    index.banks[0].situation = situation;
+    config::merge_index(set.path, index);
+    return config::load_index(set.path).banks.size();
+  };
+  CHECK(listed_with("a", Situation::kNormal) == 1);
+  CHECK(listed_with("a", Situation::kNormal) == 1);
+  CHECK(listed_with("a", Situation::kOverfeed) == 2);
+  CHECK(listed_with("b", Situation::kNormal) == 3);
+  CHECK(listed_with("a", Situation::kOverfeed) == 3);
+}
+
 TEST_CASE("laws, tools and backgrounds are merged by what tells them apart") {
   TemporaryFolder set;
   config::SoundSetIndex index = five_situations("a");
