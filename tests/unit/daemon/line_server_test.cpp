@@ -298,6 +298,19 @@ TEST_CASE("A client that is gone before it has its answer, or before it has aske
   }
 }
 
+TEST_CASE("A client that leaves in the middle of what it is told leaves its place") {
+  Served s;
+  FileDescriptor leaves = s.client();
+  s.server.serve();
+  s.news = std::string(1 << 20, 'n') + "\n";
+  s.server.tell_news(0);
+  leaves.reset();
+  s.server.serve();
+  std::vector<pollfd> polls;
+  s.server.add_polls(polls);
+  CHECK(polls.size() == 1);  // the listener's
+}
+
 TEST_CASE("A server waits for requests of who has its answer, for room of who has not") {
   Served s;
   const FileDescriptor quick = s.client();
