@@ -100,3 +100,19 @@ TEST_CASE("FLAC and Ogg hold as many frames as were written, in blocks of any si
             REQUIRE(std::fabs(read.samples[i] - sound[i % sound.size()]) < 1e-6F);
       }
 }
+
+TEST_CASE("Samples are kept as asked for, in FLAC with 16 bits or 24, in Ogg as Vorbis") {
+  const TemporaryFolder folder;
+  const auto kept = [&](const char* name, SampleFormat samples) {
+    write(folder.path / name, {48000, 1, samples}, sound_of(9600), 1 << 30);
+    return written(folder.path / name).info.format & SF_FORMAT_SUBMASK;
+  };
+  CHECK(kept("a.wav", SampleFormat::kS16) == SF_FORMAT_PCM_16);
+  CHECK(kept("b.wav", SampleFormat::kS24_3) == SF_FORMAT_PCM_24);
+  CHECK(kept("c.wav", SampleFormat::kS32) == SF_FORMAT_PCM_32);
+  CHECK(kept("d.wav", SampleFormat::kFloat) == SF_FORMAT_FLOAT);
+  CHECK(kept("a.flac", SampleFormat::kS16) == SF_FORMAT_PCM_16);
+  CHECK(kept("b.flac", SampleFormat::kS24_3) == SF_FORMAT_PCM_24);
+  CHECK(kept("c.flac", SampleFormat::kFloat) == SF_FORMAT_PCM_24);
+  CHECK(kept("a.ogg", SampleFormat::kFloat) == SF_FORMAT_VORBIS);
+}
