@@ -83,8 +83,8 @@ TEST_CASE("a sine of amplitude 1 on one channel reads 0 dB, channels add up in p
 TEST_CASE("fast and slow follow with 125 ms and 1 s, and fall 34.7 and 4.3 dB a second") {
   SoundLevelMeter meter(48000, 2);
   play(meter, 0.5, 0.125);
-  CHECK(meter.level().fast == doctest::Approx(0.25 * (1 - std::exp(-1))).epsilon(0.02));
-  CHECK(meter.level().slow == doctest::Approx(0.25 * (1 - std::exp(-0.125))).epsilon(0.02));
+  CHECK(meter.level().fast == doctest::Approx(0.25 * (1 - std::exp(-1))).scale(0).epsilon(0.02));
+  CHECK(meter.level().slow == doctest::Approx(0.25 * (1 - std::exp(-0.125))).scale(0).epsilon(0.02));
   play(meter, 0.5, 6);
   const SoundLevel before = meter.level();
   play(meter, 0, 0.5);

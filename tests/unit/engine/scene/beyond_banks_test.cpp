@@ -43,6 +43,7 @@ TEST_CASE("beyond the outermost bank the level goes on by its law, though clicks
     CAPTURE(beyond);
     // The level is that of a blow's energy; as many fewer blows come.
     const double wanted = beyond * (laws.ln_level - 0.5 * laws.ln_gap) * 20 / std::log(10.0);
-    CHECK(level_at(sounds, 150 + beyond) - at_bank == doctest::Approx(wanted).scale(1).epsilon(0.5));
+    // Some 800 blows of chance strength: their mean is good for a quarter of a dB.
+    CHECK(std::fabs(level_at(sounds, 150 + beyond) - at_bank - wanted) < 0.25);
   }
 }

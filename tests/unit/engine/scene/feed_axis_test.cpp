@@ -71,8 +71,8 @@ TEST_CASE("beyond the outermost banks the trend of the outermost pair goes on, a
   const double level = std::log(three.overfeed().mean_amplitude / three.normal().mean_amplitude) / (150 - 90);
   const scene::FeedPlace just = axis.place(155, 1, 0), far = axis.place(300, 1, 0);
   CHECK(share_of(just, three.overfeed()) == doctest::Approx(1));
-  CHECK(just.trend.ln_gap == doctest::Approx(5 * slope).epsilon(0.01));
-  CHECK(just.trend.ln_level == doctest::Approx(5 * level).epsilon(0.01));
+  CHECK(just.trend.ln_gap == doctest::Approx(5 * slope).scale(0).epsilon(0.01));
+  CHECK(just.trend.ln_level == doctest::Approx(5 * level).scale(0).epsilon(0.01));
   CHECK(std::fabs(far.trend.ln_level) < std::fabs(150 * level) + 1e-9);
   CHECK(std::fabs(far.trend.ln_level) < 1.4);
   double last = 0;
@@ -89,9 +89,9 @@ TEST_CASE("laws of the sound set replace the slopes of the outermost pair") {
   laws.ln_decay = 0.002;
   three.sounds.laws = {laws};
   const scene::FeedAxis axis = three.axis();
-  CHECK(axis.place(160, 1, 0).trend.ln_decay == doctest::Approx(0.02).epsilon(0.01));
+  CHECK(axis.place(160, 1, 0).trend.ln_decay == doctest::Approx(0.02).scale(0).epsilon(0.01));
   CHECK(axis.place(160, 1, 0).trend.ln_gap == 0);
-  CHECK(axis.place(30, 1, 0).trend.ln_decay == doctest::Approx(-0.002 * 7.5).epsilon(0.01));
+  CHECK(axis.place(30, 1, 0).trend.ln_decay == doctest::Approx(-0.002 * 7.5).scale(0).epsilon(0.01));
 }
 
 TEST_CASE("clicks of two known decays give their trend, an unknown one gives none") {
@@ -101,9 +101,9 @@ TEST_CASE("clicks of two known decays give their trend, an unknown one gives non
     three.sounds.banks[0].decay = normal, three.sounds.banks[2].decay = overfeed;
     return three.axis().place(feed_bar, 1, 0).trend.ln_decay;
   };
-  CHECK(trend(200, 400, 153) == doctest::Approx(3 * std::log(2) / 60).epsilon(0.001));
-  CHECK(trend(400, 200, 153) == doctest::Approx(-3 * std::log(2) / 60).epsilon(0.001));
-  CHECK(trend(400, 200, 34.5) == doctest::Approx(-3 * std::log(2) / 52.5).epsilon(0.001));
+  CHECK(trend(200, 400, 153) == doctest::Approx(3 * std::log(2) / 60).scale(0).epsilon(0.001));
+  CHECK(trend(400, 200, 153) == doctest::Approx(-3 * std::log(2) / 60).scale(0).epsilon(0.001));
+  CHECK(trend(400, 200, 34.5) == doctest::Approx(-3 * std::log(2) / 52.5).scale(0).epsilon(0.001));
   CHECK(trend(0, 400, 153) == 0);
   CHECK(trend(200, 0, 153) == 0);
   CHECK(trend(0, 400, 34.5) == 0);
