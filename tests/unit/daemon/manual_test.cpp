@@ -53,8 +53,13 @@ TEST_CASE("A rig whose bus and DBC do not exist drills by hand, is marked so, an
     CHECK(signal_of(loud, "boom2.feed_pressure_bar")["validity"] == "manual");
     CHECK(signal_of(loud, "feed_pressure_bar")["validity"] == "never_seen");
     CHECK(signal_of(loud, "engine_rpm")["value"] == 1500);
+    CHECK(signal_of(loud, "engine_rpm")["word"] == "");
     ask(rig.socket(), {{"command", "release"}, {"key", "boom2.feed_pressure_bar"}});
     status_when(rig.socket(), [](const nlohmann::json& s) { return s["booms"][1]["feed_deviation"] < 0; });
+    set(rig, "rattling", "open");
+    const nlohmann::json rattling = status_when(
+        rig.socket(), [](const nlohmann::json& s) { return signal_of(s, "rattling")["value"] == 2; });
+    CHECK(signal_of(rattling, "rattling")["word"] == "open");
     CHECK(ask(rig.socket(), {{"command", "reload"}})["ok"] == true);  // without the buses again
     CHECK(status(rig.socket())["buses"].empty());
     CHECK(signal_of(status(rig.socket()), "engine_rpm")["validity"] == "manual");

@@ -116,20 +116,27 @@ nlohmann::json status_when(const std::string& socket, Condition holds) {
 struct Running {
   explicit Running(daemon::Daemon& daemon) {
     REQUIRE(::pipe2(signals, O_NONBLOCK | O_CLOEXEC) == 0);
-    thread = std::thread([this, &daemon] { daemon.run(signals[0]); });
+    thread = std::thread([this, &daemon] { whole = daemon.run(signals[0]); });
   }
   ~Running() {
-    signalfd_siginfo info{};
-    info.ssi_signo = SIGTERM;
-    if (::write(signals[1], &info, sizeof info) != sizeof info) std::abort();
-    thread.join();
+    if (thread.joinable()) end();
     ::close(signals[0]);
     ::close(signals[1]);
   }
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
 
+  /// Whether nothing was left behind.
+  bool end() {
+    signalfd_siginfo info{};
+    info.ssi_signo = SIGTERM;
+    if (::write(signals[1], &info, sizeof info) != sizeof info) std::abort();
+    thread.join();
+    return whole;
+  }
+
   int signals[2] = {-1, -1};
+  bool whole = false;
   std::thread thread;
 };
 
