@@ -222,6 +222,8 @@ TEST_CASE("what is wrong is said with line, section and what was expected") {
         "t.dbc:2: SG_: the file ends, expected a unit in quotes");
   CHECK(said("BO_ 1 A: 8 X\n SG_ S x3 : 0|8@1+ (1,0) [0|0] \"\" X").find("wrong multiplexing word") !=
         std::string::npos);
+  CHECK(said("BO_ 1 A: 8 X\n SG_ S m3x : 0|8@1+ (1,0) [0|0] \"\" X").find("wrong multiplexing word") !=
+        std::string::npos);
   CHECK(said("BO_ 1 A: 8 X\n SG_ S m3 : 0|8@1+ (1,0) [0|0] \"\" X").find("has no multiplexor") !=
         std::string::npos);
   CHECK(said("BO_ 1 A: 8 X\n SG_ S m1M : 0|8@1+ (1,0) [0|0] \"\" X\nSG_MUL_VAL_ 1 S S 1-1;")

@@ -144,6 +144,18 @@ TEST_CASE("several DBC files a bus; a name in two of them is refused with both p
   CHECK(said.find("a.dbc:2 and, otherwise, in ") != std::string::npos);
   CHECK(said.find("c.dbc:4, expected it in one of them") != std::string::npos);
   CHECK(config::load_rig(rig("[\"a.dbc\", \"b.dbc\", \"d.dbc\"]", both)).can[0].routes.size() == 2);
+
+  const auto selected_by = [](const char* value) {
+    return "BO_ 258 P: 8 A\n SG_ Mux M : 0|8@1+ (1,0) [0|0] \"\" A\n SG_ Speed " + std::string(value) +
+           " : 8|16@1+ (1,0) [0|0] \"rpm\" A\n";
+  };
+  folder.write("e.dbc", selected_by("m1"));
+  folder.write("f.dbc", "\n" + selected_by("m1"));
+  folder.write("g.dbc", selected_by("m2"));
+  const std::string selected = "engine_rpm = \"P.Speed\"\n";
+  CHECK(config::load_rig(rig("[\"e.dbc\", \"f.dbc\"]", selected)).can[0].routes.size() == 1);
+  CHECK(complaint([&] { config::load_rig(rig("[\"e.dbc\", \"g.dbc\"]", selected)); }).find("otherwise") !=
+        std::string::npos);
   CHECK(complaint([&] { config::load_rig(rig("[]", both)); }).find("can.dbc: is empty") != std::string::npos);
 }
 

@@ -239,7 +239,7 @@ TEST_CASE("the mode of the control socket is octal, for its user at least, and l
   CHECK(loaded("[control]\nmode = \"0666\"\n").control.mode_bits == 0666);
   CHECK(loaded("[control]\nmode = \"600\"\n").control.mode_bits == 0600);
   CHECK(loaded("").control.mode_bits == 0660);
-  for (const char* wrong : {"", "0", "0770", "0460", "02660", "0668", "rw", "-660", " 660", "1666"})
+  for (const char* wrong : {"", "0", "0770", "0460", "02660", "0668", "0578", "rw", "-660", " 660", "1666"})
     CHECK(refusal("[control]\nmode = \"" + std::string(wrong) + "\"\n") ==
           ":2: control.mode: is \"" + std::string(wrong) +
               "\", expected \"0600\"...\"0666\", octal: 6 or 4 or 2 or 0 of group and others");

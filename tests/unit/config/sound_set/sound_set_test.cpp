@@ -48,6 +48,7 @@ TEST_CASE("a merged index keeps comments and hand edits and adds only what is ne
   more.banks.push_back({"b", Situation::kOverfeed, 3, "granite", 0, 0, 1.25, 0});
   config::merge_index(set.path, more);
   CHECK(content(file).substr(0, text.size()) == text);
+  CHECK(content(file).find("\n\n\n") == std::string::npos);
   const config::SoundSetIndex index = config::load_index(set.path);
   REQUIRE(index.banks.size() == 6);
   CHECK(index.banks[0].gain_db == -3.5);
