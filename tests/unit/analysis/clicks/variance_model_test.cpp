@@ -105,7 +105,7 @@ TEST_CASE("multiplicative sweeps never make the model less likely and find the p
     update_powers(q, train, 2, 1e9, clicks);
   }
   CHECK(clicks.power(3) == doctest::Approx(3).epsilon(0.05));
-  CHECK(clicks.floor == doctest::Approx(0.1).epsilon(0.05));
+  CHECK(clicks.floor == doctest::Approx(0.1).scale(0).epsilon(0.05));
 }
 
 TEST_CASE("the cost of a shift is that of the model with the click moved") {
@@ -185,7 +185,7 @@ TEST_CASE("the fit finds the envelope all clicks share") {
   const Eigen::ArrayXd q = noisy_blocks(spread(clicks, truth, 8, 12000), 8, noise);
   ClickEnvelope envelope = first_envelope(q, clicks.onset, 1600, 8);
   fit_envelope(q, 1600, {8, 200, 3}, envelope, clicks);
-  CHECK(envelope.decay == doctest::Approx(0.0018).epsilon(0.05));
+  CHECK(envelope.decay == doctest::Approx(0.0018).scale(0).epsilon(0.05));
   CHECK(envelope.attack_samples > 35);
   CHECK(envelope.attack_samples < 100);
 }
