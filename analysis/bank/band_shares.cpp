@@ -13,23 +13,28 @@ constexpr double kLowestBin = 8;  // of kTransform
 
 }  // namespace
 
-BandShares::BandShares() : frame_(kTransform) {
-  fft_.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+BandShares::BandShares() : pair_(kTransform) {
   const double octaves = std::log(0.5 * kTransform / kLowestBin);
   for (int b = 0; b <= kBands; ++b)
     edges_.push_back(static_cast<int>(kLowestBin * std::exp(octaves * b / kBands) + 1e-9));
 }
 
-BandShares::Shares BandShares::operator()(const std::vector<float>& click) {
-  frame_.setZero();
-  const long length = std::min<long>(kTransform, static_cast<long>(click.size()));
-  frame_.head(length) = Eigen::Map<const Eigen::VectorXf>(click.data(), length).cast<double>();
-  fft_.fwd(bins_, frame_);
-  const Eigen::ArrayXd power = bins_.array().abs2();
-  const double energy = dsp::energy(click);
-  Shares shares;
+std::array<BandShares::Shares, 2> BandShares::operator()(const std::vector<float>& first,
+                                                         const std::vector<float>& second) {
+  const auto put = [](const std::vector<float>& click, float* to) {
+    const std::size_t length = std::min<std::size_t>(kTransform, click.size());
+    std::fill(std::copy_n(click.begin(), length, to), to + kTransform, 0.0F);
+  };
+  put(first, pair_.first()), put(second, pair_.second());
+  pair_.forward();
+  std::array<Shares, 2> shares{Shares::Zero(), Shares::Zero()};
   for (int b = 0; b < kBands; ++b)
-    shares(b) = power.segment(edges_[b], edges_[b + 1] - edges_[b]).sum() / energy;
+    for (int k = edges_[b]; k < edges_[b + 1]; ++k) {
+      shares[0](b) += static_cast<double>(std::norm(pair_.first_bin(k)));
+      shares[1](b) += static_cast<double>(std::norm(pair_.second_bin(k)));
+    }
+  shares[0] /= dsp::energy(first);
+  if (!second.empty()) shares[1] /= dsp::energy(second);
   return shares;
 }
 

@@ -2,24 +2,25 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <unsupported/Eigen/FFT>
+#include <array>
 #include <vector>
+
+#include "spectrum/frame_pair.hpp"
 
 namespace rigsound::analysis {
 
-/// Energies of a click in log-spaced bands between 47 Hz and 24 kHz, as shares of the whole. Thread: OFF.
+/// Energies of two clicks in log-spaced bands between 47 Hz and 24 kHz, as shares of the whole of each. The
+/// second may be empty. Thread: OFF, one at a time.
 class BandShares {
  public:
   static constexpr int kBands = 24;
   using Shares = Eigen::Array<double, kBands, 1>;
 
   BandShares();
-  Shares operator()(const std::vector<float>& click);
+  std::array<Shares, 2> operator()(const std::vector<float>& first, const std::vector<float>& second);
 
  private:
-  Eigen::FFT<double> fft_;
-  Eigen::VectorXd frame_;
-  Eigen::VectorXcd bins_;
+  FramePair pair_;
   std::vector<int> edges_;
 };
 

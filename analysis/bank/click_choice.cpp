@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "bank/band_shares.hpp"
 #include "bank/click_extraction.hpp"
@@ -50,14 +51,25 @@ PoolSpectra spectra_of(const Segments& segments, const std::vector<ClickCandidat
   for (std::size_t i = 0; i < pool.size(); ++i) place[pool[i]] = i;
   PoolSpectra spectra;
   spectra.of_pool.resize(pool.size());
-  BandShares band_shares;
-  std::vector<std::size_t> all(candidates.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  for_each_click(segments, candidates, all, [&](std::size_t i, const std::vector<float>& click) {
-    const BandShares::Shares shares = band_shares(click);
+  const auto count_in = [&](std::size_t i, const BandShares::Shares& shares) {
     spectra.mean += shares / static_cast<double>(candidates.size());
     if (place[i] != kOutside) spectra.of_pool[place[i]] = shares;
+  };
+  BandShares band_shares;
+  std::size_t waiting = 0;
+  std::vector<float> held;  // until there are two
+  std::vector<std::size_t> all(candidates.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  for_each_click(segments, candidates, all, [&](std::size_t i, std::vector<float> click) {
+    if (held.empty()) {
+      waiting = i, held = std::move(click);
+      return;
+    }
+    const auto shares = band_shares(held, click);
+    count_in(waiting, shares[0]), count_in(i, shares[1]);
+    held.clear();
   });
+  if (!held.empty()) count_in(waiting, band_shares(held, {})[0]);
   return spectra;
 }
 

@@ -9,8 +9,8 @@
 
 namespace rigsound::analysis {
 
-/// Filters all clicks of `bank` by one minimum-phase FIR (1023 taps, within 12 dB) that takes the mean
-/// third-octave levels of test syntheses by the engine to `target`. B and sigma_B take over the gain. Thread:
+/// Filters all clicks of `bank` by one minimum-phase FIR (1023 taps, within 12 dB) that takes the
+/// third-octave levels of endless synthesis to `target`. B and sigma_B take over the gain. Thread:
 /// OFF.
 void equalise(ClickBank& bank, const BandLevels& target);
 

@@ -5,14 +5,15 @@
 #include <cmath>
 #include <unsupported/Eigen/FFT>
 
-#include "bank/third_octave_meter.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/dsp/elementary.hpp"
+#include "spectrum/frame_pair.hpp"
 
 namespace rigsound::analysis {
 namespace {
 
-constexpr int kFrame = 8192;
+constexpr long kLobes =
+    4;  // bins to either side: what a Hann window hears beyond is 40 dB below the least of them
 constexpr int kEnvelopeHop = 48;  // 1 ms
 constexpr double kSilence = 1e-20, kNoModulation = 1e-7;
 
@@ -42,35 +43,53 @@ std::vector<double> third_octaves(double origin_hz, int from, int to) {
   return centres;
 }
 
+/// `power` of frames, two-sided.
+BandLevels in_third_octaves(const Eigen::ArrayXd& power) {
+  return in_bands(power * (2.0 / kThirdOctaveFrame), kAnalysisRate / kThirdOctaveFrame,
+                  third_octaves(1000, -12, 12), kSilence);
+}
+
+/// Squared magnitude `bins` from the middle of a Hann window's spectrum, over that of the middle.
+double hann_spectrum(double bins) {
+  if (bins == 0) return 1;
+  if (std::fabs(bins) == 1) return 0.25;
+  const double x = 0.5 * dsp::kTwoPi * bins, root = std::sin(x) / x / (1 - bins * bins);
+  return root * root;
+}
+
 }  // namespace
 
 BandLevels third_octave_levels(const std::vector<float>& x) {
-  return ThirdOctaveMeter()(x.data(), static_cast<long>(x.size()));
-}
-
-ThirdOctaveMeter::ThirdOctaveMeter() : window_(kFrame), pair_(kFrame) {
-  Eigen::Map<Eigen::ArrayXf>(window_.data(), kFrame) = hann_window(kFrame).cast<float>();
-}
-
-BandLevels ThirdOctaveMeter::operator()(const float* x, long size) {
-  const Eigen::Map<const Eigen::ArrayXf> window(window_.data(), kFrame);
-  const long frames = 1 + std::max(0L, (size - kFrame) / (kFrame / 2));
+  const Eigen::ArrayXf window = hann_window(kThirdOctaveFrame).cast<float>();
+  const long size = static_cast<long>(x.size()), hop = kThirdOctaveFrame / 2;
+  const long frames = 1 + std::max(0L, (size - kThirdOctaveFrame) / hop);
   const auto windowed = [&](long i, float* to) {
-    Eigen::Map<Eigen::ArrayXf> frame(to, kFrame);
+    Eigen::Map<Eigen::ArrayXf> frame(to, kThirdOctaveFrame);
     frame.setZero();
     if (i >= frames) return;
-    const long start = i * (kFrame / 2), length = std::min<long>(kFrame, size - start);
-    frame.head(length) = Eigen::Map<const Eigen::ArrayXf>(x + start, length) * window.head(length);
+    const long start = i * hop, length = std::min<long>(kThirdOctaveFrame, size - start);
+    frame.head(length) = Eigen::Map<const Eigen::ArrayXf>(x.data() + start, length) * window.head(length);
   };
-  Eigen::ArrayXd power = Eigen::ArrayXd::Zero(kFrame / 2 + 1);
+  FramePair pair(kThirdOctaveFrame);
+  Eigen::ArrayXd power = Eigen::ArrayXd::Zero(kThirdOctaveFrame / 2 + 1);
   for (long i = 0; i < frames; i += 2) {
-    windowed(i, pair_.first()), windowed(i + 1, pair_.second());
-    pair_.forward();
-    for (int k = 0; k <= kFrame / 2; ++k) power(k) += static_cast<double>(pair_.power(k));
+    windowed(i, pair.first()), windowed(i + 1, pair.second());
+    pair.forward();
+    for (int k = 0; k <= kThirdOctaveFrame / 2; ++k) power(k) += static_cast<double>(pair.power(k));
   }
-  // One-sided.
-  power *= 2 / (static_cast<double>(frames) * window.cast<double>().square().sum() * kFrame);
-  return in_bands(power, kAnalysisRate / kFrame, third_octaves(1000, -12, 12), kSilence);
+  return in_third_octaves(power / (static_cast<double>(frames) * window.cast<double>().square().sum()));
+}
+
+BandLevels third_octave_levels_of(const Eigen::ArrayXd& power) {
+  const long finer = 2 * (power.size() - 1) / kThirdOctaveFrame, reach = kLobes * finer;
+  Eigen::ArrayXd lobes(2 * reach + 1);
+  for (long j = -reach; j <= reach; ++j)
+    lobes(reach + j) = hann_spectrum(static_cast<double>(j) / static_cast<double>(finer));
+  lobes /= lobes.sum();
+  Eigen::ArrayXd heard = Eigen::ArrayXd::Zero(kThirdOctaveFrame / 2 + 1);
+  for (long k = kLobes; k <= kThirdOctaveFrame / 2 - kLobes; ++k)  // no band reaches further
+    heard(k) = std::max(0.0, (power.segment(k * finer - reach, lobes.size()) * lobes).sum());
+  return in_third_octaves(heard);
 }
 
 BandLevels modulation_levels(const std::vector<float>& x) {

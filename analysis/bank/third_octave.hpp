@@ -1,6 +1,7 @@
 // Long-time average spectrum in third-octave bands, and the modulation spectrum of the envelope.
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 namespace rigsound::analysis {
@@ -10,9 +11,15 @@ struct BandLevels {
   std::vector<double> level_db;
 };
 
-/// 62.5 Hz...16 kHz at 48 kHz; Hann frames of 8192, half overlapping; the mean square in each band,
-/// dB re full-scale square. Thread: OFF.
+constexpr int kThirdOctaveFrame = 8192;  ///< samples
+
+/// 62.5 Hz...16 kHz at 48 kHz; Hann frames, half overlapping; the mean square in each band, dB re full-scale
+/// square. Thread: OFF.
 BandLevels third_octave_levels(const std::vector<float>& x);
+
+/// What that tends to of a long sound, from its power spectrum: the transform of its autocorrelation, half of
+/// a power of two of points and one, of kThirdOctaveFrame at least. Thread: OFF.
+BandLevels third_octave_levels_of(const Eigen::ArrayXd& power);
 
 /// Envelope (RMS of 1 ms, over its mean) in third-octave bands of modulation frequency, 1...256 Hz, dB.
 /// Thread: OFF.

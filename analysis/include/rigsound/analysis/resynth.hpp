@@ -25,4 +25,14 @@ struct Resynthesis {
 Resynthesis resynthesise(const ClickBank& bank, double seconds, std::uint64_t seed,
                          const DrillControls& controls = {}, const Progress& progress = {});
 
+struct PlayedClick {
+  double time = 0;        ///< of its impact, samples at the bank's rate, not rounded
+  double amplitude = 1;   ///< relative to the mean impact
+  std::size_t click = 0;  ///< of the bank
+};
+
+/// The first `count` clicks of resynthesise() with that seed and plain controls, without its sound. Errors:
+/// InputError when the bank cannot be played. Thread: OFF.
+std::vector<PlayedClick> played_clicks(const ClickBank& bank, std::size_t count, std::uint64_t seed);
+
 }  // namespace rigsound::analysis
