@@ -14,6 +14,7 @@ namespace {
 constexpr double kBlockRate = kAnalysisRate / kCandidateBlock;
 constexpr double kMissCost = 2, kDoubleCost = 4, kPauseCost = 6 * kMissCost;
 constexpr double kLongestGap = 4.5;  // periods
+constexpr double kLongestEdge = 3;   // periods of silence that cost
 // The k-th highest candidate sets the scale, k = 5 a second; where the 2.5 highest a second stand far above
 // it, impacts are slower than that, and it is noise.
 constexpr double kReferenceRate_hz = 5, kSlowReferenceRate_hz = 2.5, kFarAbove = 1.6;
@@ -31,7 +32,7 @@ double deviation_cost(double ln_ratio, double width) {
   return 1.5 * x * x / (1 + 0.15 * x * x);
 }
 
-double edge_cost(double silence, double T_0) { return kMissCost * std::min(3.0, silence / T_0); }
+double edge_cost(double silence, double T_0) { return kMissCost * std::min(kLongestEdge, silence / T_0); }
 
 struct Step {
   double total;
@@ -105,6 +106,22 @@ std::vector<int> blocks_of(const Candidates& candidates, const Chain& chain) {
   return blocks;
 }
 
+struct Hypothesis {
+  GapCosts costs;  ///< of its period
+  Chain chain;
+};
+
+/// The best chain of period T, refined by its own gaps.
+Hypothesis best_near(int T, const Candidates& candidates, const std::vector<double>& score) {
+  Hypothesis h{GapCosts(T), {}};
+  h.chain = best_chain(candidates.block, score, h.costs, candidates.z.size());
+  if (h.chain.chosen.size() <= 3) return h;
+  const double refined = median_gap(blocks_of(candidates, h.chain));
+  if (std::fabs(refined / T - 1) < 0.35)
+    h.chain = best_chain(candidates.block, score, GapCosts(refined), candidates.z.size());
+  return h;
+}
+
 }  // namespace
 
 double gap_cost(double g) {
@@ -162,22 +179,22 @@ Selection select_clicks(const Candidates& candidates, const RateRange& range) {
   const double reference = reference_statistic(candidates);
   const std::vector<double> score = scores(candidates, reference);
   const std::vector<std::vector<int>> draws = random_times(score.size(), candidates.z.size());
+  std::vector<Hypothesis> hypotheses;
+  for (const int T : period_hypotheses(candidates.z.min(reference), kBlockRate, range))
+    hypotheses.push_back(best_near(T, candidates, score));
+  std::stable_sort(hypotheses.begin(), hypotheses.end(),
+                   [](const Hypothesis& a, const Hypothesis& b) { return a.chain.total > b.chain.total; });
+  const double least_chance = *std::max_element(score.begin(), score.end()) - 2 * kLongestEdge * kMissCost;
   double best = -kInfinite;
-  for (const int T : period_hypotheses(candidates.z.min(reference), kBlockRate, range)) {
-    const GapCosts costs(T);
-    Chain chain = best_chain(candidates.block, score, costs, candidates.z.size());
-    if (chain.chosen.size() > 3) {
-      const double refined = median_gap(blocks_of(candidates, chain));
-      if (std::fabs(refined / T - 1) < 0.35)
-        chain = best_chain(candidates.block, score, GapCosts(refined), candidates.z.size());
-    }
-    const double chance = total_by_chance(draws, score, costs, candidates.z.size());
-    if (chain.total - kChanceShare * chance <= best) continue;
-    best = chain.total - kChanceShare * chance;
-    selection.surplus = chain.total - chance;
-    selection.total = chain.total;
-    selection.block = blocks_of(candidates, chain);
-    selection.mean_gap_blocks = selection.block.size() > 2 ? median_gap(selection.block) : T;
+  for (const Hypothesis& h : hypotheses) {
+    if (h.chain.total - kChanceShare * least_chance <= best) break;  // nor does any that follows exceed it
+    const double chance = total_by_chance(draws, score, h.costs, candidates.z.size());
+    if (h.chain.total - kChanceShare * chance <= best) continue;
+    best = h.chain.total - kChanceShare * chance;
+    selection.surplus = h.chain.total - chance;
+    selection.total = h.chain.total;
+    selection.block = blocks_of(candidates, h.chain);
+    selection.mean_gap_blocks = selection.block.size() > 2 ? median_gap(selection.block) : h.costs.T_0;
   }
   return selection;
 }
