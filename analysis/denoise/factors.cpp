@@ -66,11 +66,13 @@ Spectrogram wiener(const Spectrogram& X, const PsdPair& psd) {
 
 Grid itakura_saito(const PowerSpectrogram& power, const Factors& factors) {
   const Activations H{factors.H.data(), static_cast<int>(factors.H.rows()), power.padded()};
-  Grid divergence(power.bins(), power.frames), L(1, power.padded()), ratio(1, power.frames);
+  Grid divergence(power.bins(), power.frames), L(1, power.padded()), P = L, of_bin = L;
   for (int m = 0; m < power.bins(); ++m) {
     is_kernels().model_bin(H, factors.W.row(m).data(), H.words, L.data());
-    ratio = power.P.row(m).head(power.frames) / L.leftCols(power.frames).max(kModelFloor);
-    divergence.row(m) = ratio - ratio.log() - 1;
+    L = L.max(kModelFloor);
+    P = power.P.row(m).max(kModelFloor);  // the padding has no power
+    is_kernels().divergence(P.data(), L.data(), power.padded(), of_bin.data());
+    divergence.row(m) = of_bin.leftCols(power.frames);
   }
   return divergence;
 }

@@ -50,6 +50,9 @@ struct IsKernels {
   void (*sum_over_bins)(const PowerRows& power, const Activations& H, int updated, float* numerator,
                         float* denominator);
 
+  /// d(n) = P / L - ln(P / L) - 1 of positive, normal ratios; `size` is a multiple of kLanes.
+  void (*divergence)(const float* P, const float* L, int size, float* d);
+
   /// model(n) = sum over the first `words` of w_k H(k, n).
   void (*model_bin)(const Activations& H, const float* w, int words, float* model);
 };

@@ -18,6 +18,11 @@ constexpr int kWidth = 8;
 constexpr int kWidth = 4;
 #endif
 using Lanes = float __attribute__((vector_size(sizeof(float) * kWidth)));
+using LaneBits = int __attribute__((vector_size(sizeof(int) * kWidth)));
+
+constexpr int kRootHalf = 0x3F3504F3, kFloatMantissaBits = 23;  // 1/sqrt(2) as a float's bits
+constexpr int kExponentBits = -(1 << kFloatMantissaBits);
+constexpr float kNaturalLog2 = 0.693147181f;
 
 inline Lanes load(const float* p) {
   Lanes x;
@@ -142,10 +147,31 @@ void model_bin(const Activations& H, const float* w, int words, float* model) {
   }
 }
 
+/// Of positive, normal values: of the mantissa, 1/sqrt(2) ... sqrt(2), by 2 artanh(s), s = (x - 1)/(x + 1),
+/// whose series is left where a float ends.
+inline Lanes logarithm(const Lanes& x) {
+  LaneBits bits;
+  __builtin_memcpy(&bits, &x, sizeof bits);
+  const LaneBits octaves = (bits - kRootHalf) & kExponentBits;
+  bits -= octaves;
+  Lanes mantissa;
+  __builtin_memcpy(&mantissa, &bits, sizeof mantissa);
+  const Lanes s = (mantissa - 1.0f) / (mantissa + 1.0f), s2 = s * s;
+  const Lanes series = 1.0f + s2 * (1 / 3.0f + s2 * (1 / 5.0f + s2 * (1 / 7.0f + s2 * (1 / 9.0f))));
+  return __builtin_convertvector(octaves >> kFloatMantissaBits, Lanes) * kNaturalLog2 + 2.0f * s * series;
+}
+
+void divergence(const float* P, const float* L, int size, float* d) {
+  for (int n = 0; n < size; n += kWidth) {
+    const Lanes ratio = load(P + n) / load(L + n);
+    store(d + n, ratio - logarithm(ratio) - 1.0f);
+  }
+}
+
 }  // namespace
 
 extern const IsKernels RIGSOUND_OF_ISA(kIsKernels_);
 const IsKernels RIGSOUND_OF_ISA(kIsKernels_) = {RIGSOUND_ISA_NAME, Table<kMaxWords>::fit,
-                                                Table<kMaxWords>::sum, model_bin};
+                                                Table<kMaxWords>::sum, divergence, model_bin};
 
 }  // namespace rigsound::analysis

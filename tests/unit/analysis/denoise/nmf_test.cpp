@@ -106,6 +106,21 @@ TEST_CASE("the activations' sums are those of the formula over the bins, with th
   CHECK(((w.transpose() * I).topRows(kUpdated).array() / below.cast<double>() - 1).abs().maxCoeff() < 1e-5);
 }
 
+TEST_CASE("the divergence of a cell is that of the formula over 14 decades, with the same bits everywhere") {
+  constexpr int kCells = 512;
+  Eigen::ArrayXf P(kCells), L(kCells), here(kCells), baseline(kCells);
+  TestNoise noise(15);
+  for (int n = 0; n < kCells; ++n) {
+    P(n) = std::pow(10.0f, 14.0f * float(n) / kCells - 10) * (1 + float(noise.uniform()));
+    L(n) = 0.5f + float(noise.uniform());
+  }
+  is_kernels().divergence(P.data(), L.data(), kCells, here.data());
+  kIsKernels_baseline.divergence(P.data(), L.data(), kCells, baseline.data());
+  CHECK((here == baseline).all());
+  const Eigen::ArrayXd ratio = P.cast<double>() / L.cast<double>(), formula = ratio - ratio.log() - 1;
+  CHECK(((here.cast<double>() - formula).abs() / (1 + formula)).maxCoeff() < 3e-7);
+}
+
 TEST_CASE("mean powers are the means of the modelled ones") {
   const PowerSpectrogram power = noisy_power(Grid::Constant(20, 150, 2.0f), 15);
   const Factors factors = cs_nmf(WordFit(power), {{regular_train()}}, {});
