@@ -101,9 +101,10 @@ void set_gap_statistics(const Series<int>& onsets, ClickBank& bank) {
   bank.mean_gap_samples = m.mean;
   bank.gap_deviation_samples = m.deviation;
   bank.gap_correlation = m.deviation > kSteadyDeviation * m.mean ? m.correlation : 0;
-  bank.miss_share = share(kinds, Kind::kMissed);
-  // The engine plays a double impact as one short gap before a whole one: this share keeps the mean rate.
-  bank.double_share = std::min(shortfall(gaps, kinds, m.mean) / (1 - kDoubleGap), 1 - bank.miss_share);
+  // Shares are of the engine's schedule: a double impact makes two gaps of one of its own.
+  const double missing = shortfall(gaps, kinds, m.mean), scheduled = 1 - missing;
+  bank.miss_share = share(kinds, Kind::kMissed) / scheduled;
+  bank.double_share = std::min(missing / scheduled, 1 - bank.miss_share);
 }
 
 void set_plain_gap_statistics(const Series<int>& onsets, ClickBank& bank) {
