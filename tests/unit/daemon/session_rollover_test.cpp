@@ -100,22 +100,18 @@ TEST_CASE("A rig named as the folder of sessions is refused, and stays") {
   CHECK(content(file) == before);
 }
 
-TEST_CASE("The sound is shut before an engine ends and opened after one has begun, in silence too") {
-  double rpm = 0;
-  SUBCASE("a running diesel") { rpm = 900; }
-  SUBCASE("silence") {}
+TEST_CASE("The sound is shut before an engine ends and opened after one has begun") {
   const SmallRig rig;
   const fs::path sessions = rig.folder.path / "sessions";
   fs::path first, second;
   {
     daemon::Daemon daemon({(rig.folder.path / "rig.toml").string(), {sessions, 1 << 20}});
     const Running running(daemon);
-    ask(rig.socket(), {{"command", "set"}, {"key", "engine_rpm"}, {"value", rpm}});
-    const nlohmann::json playing = status_when(rig.socket(), [&](const nlohmann::json& s) {
-      return is_recording(s) && s["meters"]["output_gain"] == 1 &&
-             (rpm == 0 || s["meters"]["peak_db"] > -140);
+    ask(rig.socket(), {{"command", "set"}, {"key", "engine_rpm"}, {"value", 900}});
+    const nlohmann::json loud = status_when(rig.socket(), [](const nlohmann::json& s) {
+      return is_recording(s) && s["meters"]["output_gain"] == 1 && s["meters"]["peak_db"] > -140;
     });
-    first = playing["session"]["file"].get<std::string>();
+    first = loud["session"]["file"].get<std::string>();
     rig.write_rig("[mix]\ndrill_db = -3\n");
     CHECK(ask(rig.socket(), {{"command", "reload"}})["ok"] == true);
     const nlohmann::json again = status_when(rig.socket(), [&](const nlohmann::json& s) {
