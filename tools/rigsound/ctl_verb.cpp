@@ -109,7 +109,7 @@ void subscribe(const CtlArguments& o) {
   if (!o.topics.empty()) request["topics"] = o.topics;
   client.ask(request);
   for (;;) {
-    const Json event = client.next_event();
+    const Json event = client.next_object();
     if (o.json)
       fmt::print("{}\n", config::json_line(event));
     else

@@ -32,8 +32,6 @@ Json ControlClient::ask(const Json& request) {
   return answer;
 }
 
-Json ControlClient::next_event() { return next_object(); }
-
 Json ControlClient::next_object() {
   Json object = config::parsed_json(next_line());
   if (!object.is_object())

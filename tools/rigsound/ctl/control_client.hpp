@@ -13,15 +13,14 @@ class ControlClient {
   /// Errors: DeviceError when no daemon listens there.
   explicit ControlClient(const std::string& socket);
 
-  /// Errors: DeviceError when the daemon goes away, std::runtime_error with its words when it refuses.
+  /// Errors: those of next_object(), std::runtime_error with the daemon's words when it refuses.
   Json ask(const Json& request);
 
-  /// The next line that the daemon says unasked, to a client that has subscribed; waits for it. Errors:
-  /// DeviceError when the daemon goes away.
-  Json next_event();
+  /// The next line that the daemon says: to a client that has subscribed, unasked. Waits for it. Errors:
+  /// DeviceError when the daemon goes away, or what is there is none.
+  Json next_object();
 
  private:
-  Json next_object();
   std::string next_line();
 
   std::string socket_;

@@ -26,7 +26,7 @@ class LiveEvents {
 
   bool next(std::string& piece) {
     try {
-      piece = config::json_line(client_->next_event()) + "\n";
+      piece = config::json_line(client_->next_object()) + "\n";
       return true;
     } catch (const DeviceError& error) {
       piece = config::json_line({{"event", "gone"}, {"error", error.what()}}) + "\n";
