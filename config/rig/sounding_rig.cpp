@@ -4,6 +4,7 @@
 
 #include "rigsound/config/sounding_rig.hpp"
 #include "rigsound/default_diesel.hpp"
+#include "rigsound/machine/fields.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::config {
@@ -18,8 +19,8 @@ int index_of(const std::vector<Model>& models, const std::string& name) {
 
 std::string steel_names(const SoundSet& sounds) {
   std::string names;
-  for (const ToolModel& tool : sounds.tools) names += (names.empty() ? "" : ", ") + tool.name;
-  for (const StringModel& string : sounds.strings) names += (names.empty() ? "" : ", ") + string.name;
+  for (const ToolModel& tool : sounds.tools) append_to_list(names, tool.name);
+  for (const StringModel& string : sounds.strings) append_to_list(names, string.name);
   return names.empty() ? "none" : names;
 }
 

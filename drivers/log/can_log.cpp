@@ -5,16 +5,11 @@
 
 #include "can/source_watch.hpp"
 #include "log/can_survey.hpp"
+#include "rigsound/machine/fields.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::log {
 namespace {
-
-std::string list(const std::set<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text.append(text.empty() ? "" : ", ").append(name);
-  return text;
-}
 
 /// Which bus of the rig an interface of the log is. A pair that is the wrong way round is turned.
 std::map<std::string, const can::CanOptions*> buses_by_interface(const std::vector<can::CanOptions>& buses,
@@ -75,8 +70,9 @@ void CanLog::find_buses(const std::vector<can::CanOptions>& buses, const LogOpti
   const bool any_wanted =
       std::any_of(seen.begin(), seen.end(), [&](const std::string& name) { return wanted.count(name) != 0; });
   if (!any_wanted && (buses.size() != 1 || seen.size() != 1))
-    throw InputError(file_.name(), "has frames of " + list(seen) + " only, expected some of " + list(wanted) +
-                                       ": --can " + *seen.begin() + "=" + *wanted.begin() + "?");
+    throw InputError(file_.name(), "has frames of " + list_of(seen) + " only, expected some of " +
+                                       list_of(wanted) + ": --can " + *seen.begin() + "=" + *wanted.begin() +
+                                       "?");
   if (!any_wanted) {
     by_interface[*seen.begin()] = &buses.front();
     good = useful();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "rigsound/machine/fields.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::log {
@@ -31,12 +32,6 @@ bool is_server_of(const modbus::ModbusOptions& bus, const std::string& server) {
   const std::string port = ":" + std::to_string(bus.port);
   return any_host && server.size() > port.size() &&
          server.compare(server.size() - port.size(), port.size(), port) == 0;
-}
-
-std::string list(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
 }
 
 bool is_rtu_over_tcp(const LogFile& file, std::vector<ServerPort> ports) {
@@ -163,13 +158,13 @@ void ModbusLog::choose_servers(const std::vector<std::string>& servers) {
     return bus.transport != modbus::Transport::kRtu;
   };
   if (!any_known && std::any_of(buses_.begin(), buses_.end(), on_tcp))
-    throw InputError(file_.name(), "has the servers " + list(servers) + ", expected " +
+    throw InputError(file_.name(), "has the servers " + list_of(servers) + ", expected " +
                                        std::find_if(buses_.begin(), buses_.end(), on_tcp)->address +
                                        " of the rig among them");
   for (std::size_t bus = 0; bus < buses_.size(); ++bus) {
     if (server_[bus] || !on_tcp(buses_[bus])) continue;
     server_[bus] = buses_[bus].address;
-    notes_.push_back({"holds nothing of " + buses_[bus].address + ", it has " + list(servers)});
+    notes_.push_back({"holds nothing of " + buses_[bus].address + ", it has " + list_of(servers)});
   }
 }
 

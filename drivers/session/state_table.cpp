@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "rigsound/file/input_file.hpp"
+#include "rigsound/machine/fields.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "rigsound/machine/limits.hpp"
 #include "rigsound/session/state_rows.hpp"
@@ -35,7 +36,7 @@ std::optional<double> number_in(const std::string& text) {
 Signal signal_of(const std::string& name, const Line& line) {
   if (const auto known = signal_by_name(name)) return *known;
   std::string names;
-  for (const SignalInfo& signal : signal_table()) names.append(names.empty() ? "" : ", ").append(signal.name);
+  for (const SignalInfo& signal : signal_table()) append_to_list(names, signal.name);
   line.fail("signal", "'" + name + "' is no signal, expected one of: " + names);
 }
 

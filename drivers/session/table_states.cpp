@@ -1,5 +1,6 @@
 #include "rigsound/session/table_states.hpp"
 
+#include "rigsound/machine/fields.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::session {
@@ -12,7 +13,7 @@ std::uint8_t boom_named(const std::string& name, const EngineOptions& options,
   std::string known;
   for (std::size_t b = 0; b < options.booms.size(); ++b) {
     if (options.booms[b].name == name || (b == 0 && name.empty())) return static_cast<std::uint8_t>(b);
-    known.append(known.empty() ? "" : ", ").append(options.booms[b].name);
+    append_to_list(known, options.booms[b].name);
   }
   throw InputError(file.string(), 0, "signal",
                    "the rig has no boom '" + name + "', expected one of: " + known);

@@ -13,6 +13,7 @@
 #include "rigsound/config/rig.hpp"
 #include "rigsound/file/atomic_file.hpp"
 #include "rigsound/file/read_files.hpp"
+#include "rigsound/machine/fields.hpp"
 #include "rigsound/machine/signal.hpp"
 #include "standard_output.hpp"
 #include "verbs.hpp"
@@ -36,7 +37,7 @@ std::size_t boom_of(const config::Rig& rig, const std::string& wanted) {
       std::find_if(booms.begin(), booms.end(), [&](const BoomOptions& b) { return b.name == wanted; });
   if (found != booms.end()) return static_cast<std::size_t>(found - booms.begin());
   std::string names;
-  for (const BoomOptions& boom : booms) names += (names.empty() ? "" : ", ") + boom.name;
+  for (const BoomOptions& boom : booms) append_to_list(names, boom.name);
   throw cli::UsageError("--boom", "is " + wanted + ", expected " + names);
 }
 

@@ -16,6 +16,7 @@
 #include "rigsound/log/placed_entries.hpp"
 #include "rigsound/log/replay_clock.hpp"
 #include "rigsound/log/udp_capture.hpp"
+#include "rigsound/machine/fields.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "rigsound/modbus/modbus_writer.hpp"
 #include "rigsound/udp/udp_sender.hpp"
@@ -93,10 +94,9 @@ void print_notes(const ReplayArguments& o, const log::LogClock& times) {
 void require_sent(const log::LogFile& file, const log::ReplayClock& clock,
                   const std::set<std::string>& seen) {
   if (clock.entries() > 0) return;
-  std::string names;
-  for (const std::string& name : seen) names += (names.empty() ? "" : ", ") + name;
-  throw InputError(file.name(), seen.empty() ? "holds nothing to send, expected a bus log"
-                                             : "has frames of " + names + " only, expected those of --can");
+  throw InputError(file.name(), seen.empty()
+                                    ? "holds nothing to send, expected a bus log"
+                                    : "has frames of " + list_of(seen) + " only, expected those of --can");
 }
 
 /// The time of the last entry, since the first; what was read is read again. 0 when nobody sees the progress.

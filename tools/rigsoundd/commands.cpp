@@ -8,6 +8,7 @@
 
 #include "live_values.hpp"
 #include "rigsound/config/nearest_word.hpp"
+#include "rigsound/machine/fields.hpp"
 #include "snapshot_json.hpp"
 
 namespace rigsound::daemon {
@@ -45,7 +46,7 @@ constexpr std::array<std::string_view, 9> kCommands = {
 [[noreturn]] void refuse_command(const std::string& command) {
   const std::string_view near = config::nearest_word(command, kCommands);
   throw Refused(near.empty()
-                    ? fmt::format("\"{}\": unknown command, expected {}", command, config::listed(kCommands))
+                    ? fmt::format("\"{}\": unknown command, expected {}", command, list_of(kCommands))
                     : fmt::format("\"{}\": unknown command, did you mean {}?", command, near));
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rigsound/config/nearest_word.hpp"
+#include "rigsound/machine/fields.hpp"
 
 namespace rigsound::daemon {
 namespace {
@@ -41,16 +42,16 @@ Target named(const std::string& name) {
     known.emplace_back(control.name);
   }
   if (target.control != nullptr) return target;
-  throw Refused(fmt::format(
-      "{}: is no signal and no control, {}", name,
-      or_nearest(name, known, fmt::format("expected [BOOM.] and one of {}", config::listed(known)))));
+  throw Refused(
+      fmt::format("{}: is no signal and no control, {}", name,
+                  or_nearest(name, known, fmt::format("expected [BOOM.] and one of {}", list_of(known)))));
 }
 
 int boom_named(const std::string& name, const std::vector<std::string>& booms) {
   if (const auto found = std::find(booms.begin(), booms.end(), name); found != booms.end())
     return static_cast<int>(found - booms.begin());
   throw Refused(fmt::format("{}: is no boom of the rig, {}", name,
-                            or_nearest(name, booms, fmt::format("expected {}", config::listed(booms)))));
+                            or_nearest(name, booms, fmt::format("expected {}", list_of(booms)))));
 }
 
 Target target_of(const std::string& key, const std::vector<std::string>& booms) {
@@ -92,9 +93,8 @@ double value_of(const Json& given, const Target& target, const DaemonControl& da
   const std::string word = given.get<std::string>();
   if (const auto found = std::find(words.begin(), words.end(), word); found != words.end())
     return static_cast<double>(found - words.begin());
-  const std::string expected = words.empty()
-                                   ? fmt::format("expected a number, {}", range)
-                                   : fmt::format("expected {}, or {}", config::listed(words), range);
+  const std::string expected = words.empty() ? fmt::format("expected a number, {}", range)
+                                             : fmt::format("expected {}, or {}", list_of(words), range);
   throw Refused(fmt::format("{}: is {}, {}", target.name(), word, or_nearest(word, words, expected)));
 }
 

@@ -85,7 +85,7 @@ std::string topic_named(const Json& given) {
   std::string name = given.is_string() ? given.get<std::string>() : config::json_line(given);
   if (std::find(kTopics.begin(), kTopics.end(), name) != kTopics.end()) return name;
   const std::string_view near = config::nearest_word(name, kTopics);
-  throw Refused(near.empty() ? fmt::format("topics: {}: is none, expected {}", name, config::listed(kTopics))
+  throw Refused(near.empty() ? fmt::format("topics: {}: is none, expected {}", name, list_of(kTopics))
                              : fmt::format("topics: {}: is none, did you mean {}?", name, near));
 }
 
@@ -96,7 +96,7 @@ Subscription::Subscription(const Json& request) {
   if (!kEvery.holds(every_s_)) throw Refused("every_s: " + kEvery.problem(every_s_));
   const Json topics = request.value("topics", Json(kTopics));
   if (!topics.is_array() || topics.empty())
-    throw Refused(fmt::format("topics: expected a list of {}", config::listed(kTopics)));
+    throw Refused(fmt::format("topics: expected a list of {}", list_of(kTopics)));
   for (const Json& topic : topics) topics_.insert(topic_named(topic));
 }
 

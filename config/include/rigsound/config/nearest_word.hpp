@@ -1,9 +1,8 @@
-// Known words in messages: all of them, and the one a misspelt one was meant to be.
+// The known word a misspelt one was meant to be.
 #pragma once
 
 #include <algorithm>
 #include <numeric>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -37,14 +36,6 @@ std::string_view nearest_word(std::string_view given, const Words& words) {
     if (distance < best_distance) best = word, best_distance = distance;
   }
   return best;
-}
-
-/// "status, metrics, set"
-template <class Words>
-std::string listed(const Words& words) {
-  std::string list;
-  for (const std::string_view word : words) list.append(list.empty() ? "" : ", ").append(word);
-  return list;
 }
 
 }  // namespace rigsound::config

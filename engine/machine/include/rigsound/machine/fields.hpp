@@ -46,11 +46,23 @@ std::string number_text(double x);
 template <class E>
 using Word = std::pair<std::string_view, E>;
 
+/// "server", then "server, client"
+inline void append_to_list(std::string& list, std::string_view word) {
+  list.append(list.empty() ? "" : ", ").append(word);
+}
+
 /// "server, client"
 template <class E, std::size_t N>
 std::string list_of(const Word<E> (&words)[N]) {
   std::string list;
-  for (const Word<E>& word : words) list.append(list.empty() ? "" : ", ").append(word.first);
+  for (const Word<E>& word : words) append_to_list(list, word.first);
+  return list;
+}
+
+template <class Texts>
+std::string list_of(const Texts& texts) {
+  std::string list;
+  for (const std::string_view text : texts) append_to_list(list, text);
   return list;
 }
 
