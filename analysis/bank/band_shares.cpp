@@ -1,6 +1,5 @@
 #include "bank/band_shares.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "rigsound/dsp/energy.hpp"
@@ -21,11 +20,7 @@ BandShares::BandShares() : pair_(kTransform) {
 
 std::array<BandShares::Shares, 2> BandShares::operator()(const std::vector<float>& first,
                                                          const std::vector<float>& second) {
-  const auto put = [](const std::vector<float>& click, float* to) {
-    const std::size_t length = std::min<std::size_t>(kTransform, click.size());
-    std::fill(std::copy_n(click.begin(), length, to), to + kTransform, 0.0F);
-  };
-  put(first, pair_.first()), put(second, pair_.second());
+  pair_.set(first, second);
   pair_.forward();
   std::array<Shares, 2> shares{Shares::Zero(), Shares::Zero()};
   for (int b = 0; b < kBands; ++b)

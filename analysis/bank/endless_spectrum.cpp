@@ -31,8 +31,8 @@ struct PairSpectra {
 PairSpectra pair_spectra(const std::vector<PlayedClick>& played, FramePair& transform) {
   double squares = 0;
   for (const PlayedClick& click : played) squares += click.amplitude * click.amplitude;
+  transform.set({}, {});
   float *same = transform.first(), *other = transform.second();
-  std::fill_n(same, kPoints, 0.0F), std::fill_n(other, kPoints, 0.0F);
   for (auto a = played.begin(); a != played.end(); ++a)
     for (auto b = a; b != played.end() && started(*b) - started(*a) < kPoints / 2; ++b) {
       const long lag = started(*b) - started(*a);
@@ -59,7 +59,7 @@ void add_power(FramePair& transform, double share, Eigen::ArrayXd& power) {
 Eigen::ArrayXd mean_click_power(const std::vector<Click>& clicks, FramePair& transform) {
   Eigen::ArrayXd mean = Eigen::ArrayXd::Zero(kSpectrumBins);
   for (std::size_t c = 0; c < clicks.size(); c += 2) {
-    std::fill_n(transform.first(), kPoints, 0.0F), std::fill_n(transform.second(), kPoints, 0.0F);
+    transform.set({}, {});
     add_wrapped(clicks[c], transform.first());
     if (c + 1 < clicks.size()) add_wrapped(clicks[c + 1], transform.second());
     add_power(transform, 1 / static_cast<double>(clicks.size()), mean);
@@ -69,7 +69,7 @@ Eigen::ArrayXd mean_click_power(const std::vector<Click>& clicks, FramePair& tra
 
 /// |G|^2 of the clicks' sum.
 Eigen::ArrayXd power_of_sum(const std::vector<Click>& clicks, FramePair& transform) {
-  std::fill_n(transform.first(), kPoints, 0.0F), std::fill_n(transform.second(), kPoints, 0.0F);
+  transform.set({}, {});
   for (const Click& click : clicks) add_wrapped(click, transform.first());
   Eigen::ArrayXd power = Eigen::ArrayXd::Zero(kSpectrumBins);
   add_power(transform, 1, power);

@@ -40,16 +40,12 @@ void filter_clicks(const Eigen::ArrayXd& fir, std::vector<Click>& clicks) {
   for (const Click& click : clicks) longest = std::max(longest, click.size());
   int points = 1024;
   while (points < static_cast<long>(longest) + fir.size()) points *= 2;
-  const auto put = [points](const auto& x, float* to) {
-    std::fill(std::transform(x.begin(), x.end(), to, [](auto v) { return static_cast<float>(v); }),
-              to + points, 0.0F);
-  };
   FramePair response(points), pair(points);
-  put(fir, response.first()), put(Click{}, response.second());
+  response.set(std::vector<float>(fir.begin(), fir.end()), {});
   response.forward();
   for (std::size_t c = 0; c < clicks.size(); c += 2) {
     const bool alone = c + 1 == clicks.size();
-    put(clicks[c], pair.first()), put(alone ? Click{} : clicks[c + 1], pair.second());
+    pair.set(clicks[c], alone ? Click{} : clicks[c + 1]);
     pair.forward();
     for (int k = 0; k <= points / 2; ++k) {
       const std::complex<float> H = response.first_bin(k);

@@ -12,8 +12,8 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr long kLobes =
-    4;  // bins to either side: what a Hann window hears beyond is 40 dB below the least of them
+// Bins to either side: what a Hann window hears beyond is 40 dB below the least of them.
+constexpr long kLobes = 4;
 constexpr int kEnvelopeHop = 48;  // 1 ms
 constexpr double kSilence = 1e-20, kNoModulation = 1e-7;
 

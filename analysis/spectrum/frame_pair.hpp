@@ -1,6 +1,7 @@
 // Spectra of real frames, two for one complex transform.
 #pragma once
 
+#include <algorithm>
 #include <complex>
 #include <vector>
 
@@ -14,6 +15,13 @@ class FramePair {
   explicit FramePair(int size);  ///< samples, a power of two
 
   int size() const { return fft_.size(); }
+
+  /// Samples of both frames: what is missing is zero, what is too long is cut off.
+  template <class First = std::vector<float>, class Second = std::vector<float>>
+  void set(const First& first, const Second& second) {
+    copy_padded(first, re_);
+    copy_padded(second, im_);
+  }
 
   /// `size` samples each; forward() and inverse() write over them.
   float* first() { return re_.data(); }
@@ -34,6 +42,12 @@ class FramePair {
   void inverse();
 
  private:
+  template <class Samples>
+  static void copy_padded(const Samples& x, std::vector<float>& frame) {
+    const auto end = std::copy_n(x.begin(), std::min(x.size(), frame.size()), frame.begin());
+    std::fill(end, frame.end(), 0.0F);
+  }
+
   int mirrored(int k) const { return (size() - k) & (size() - 1); }
 
   dsp::Fft<float> fft_;
