@@ -65,8 +65,7 @@ test('switching is without a gap and at the same place', async () => {
   // Constants of 0.1, 0.2 and 0.3 with a fade of 4 ms between them: neither silence nor a step.
   assert.ok(heard.every((v) => v > 0.0999 && v < 0.3001), `${Math.min(...heard)}...${Math.max(...heard)}`);
   const step = heard.reduce((most, v, n) => Math.max(most, n ? Math.abs(v - heard[n - 1]) : 0), 0);
-  // Of the fade's 192 samples a busy page may miss a block of 128; without a fade a step is 0.1 or more.
-  assert.ok(step < 0.2 / (0.004 * 48000 - 128) * 1.01, String(step));
+  assert.ok(step < 0.2 / (0.004 * 48000) * 1.5, String(step));
   assert.ok(heard.some((v) => Math.abs(v - 0.3) < 1e-3) && heard.some((v) => Math.abs(v - 0.2) < 1e-3));
   await page.getByRole('button', { name: 'Stop' }).click();
   assert.deepEqual(await complaints(page), []);

@@ -37,11 +37,14 @@ export class SwitchingPlayer {
 
   choose(name: string): void {
     this.chosen = name;
-    const now = this.context.currentTime;
+    // A fade that begins at once is cut short where the page is late: what is past counts as if it were now.
+    const now = this.context.currentTime, begin = now + kLead_s;
     this.lanes.forEach(({ gain }, each) => {
+      const held = gain.gain.value;
       gain.gain.cancelScheduledValues(now);
-      gain.gain.setValueAtTime(gain.gain.value, now);
-      gain.gain.linearRampToValueAtTime(each === name ? this.sounds.get(each)?.level ?? 1 : 0, now + kSwitch_s);
+      gain.gain.setValueAtTime(held, now);
+      gain.gain.setValueAtTime(held, begin);
+      gain.gain.linearRampToValueAtTime(each === name ? this.sounds.get(each)?.level ?? 1 : 0, begin + kSwitch_s);
     });
   }
 
