@@ -33,6 +33,27 @@ BarKernel paper_kernel(int vectors, [[maybe_unused]] LaneWidth width) noexcept {
   return paper_with(vectors, PaperCounts{});
 }
 
+void run_sections_in_sequence(BarState& state, const BarDrive& drive, double* out) noexcept {
+  SectionLanes& s = state.sections;
+  const auto cascade = [&](const Seats& seats, double u) {
+    for (int j = seats.base; j < seats.base + seats.vectors; ++j) {
+      const double w = s.g0[j] * s.x1[j] - s.g1[j] * s.x2[j], m = w + s.g2[j] * u;
+      u = s.c0[j] * u - s.h[j] * w;
+      s.x1[j] = m - s.x1[j];
+      s.x2[j] = s.x2[j] + m;
+    }
+    return u;
+  };
+  Glue glue(state, drive);
+  Taps taps(state);
+  for (int i = 0; i < drive.frames; ++i, taps.advance()) {
+    const double v_T = cascade(state.seats[kTransversal], (*taps.T)[kTransversal]);
+    const double v_L = cascade(state.seats[kLongitudinal], (*taps.L)[kLongitudinal]);
+    out[i] = glue.close(i, V2{v_T, v_L}, taps.now);
+  }
+  glue.keep(state, drive.frames);
+}
+
 void run_paper_in_sequence(BarState& state, const BarDrive& drive, double* out) noexcept {
   Glue glue(state, drive);
   Taps taps(state);

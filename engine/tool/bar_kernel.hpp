@@ -21,8 +21,9 @@ BarKernel section_kernel(const Seats (&seats)[2], LaneWidth width) noexcept;
 /// The kernel for that many vectors of the paper's identical sections, within kPaperLanes. Thread: RT.
 BarKernel paper_kernel(int vectors, LaneWidth width) noexcept;
 
-/// The paper's cascade when its delay line is shorter than the skew: one section after another, in the
-/// lanes from 0 up; the transversal seats count sections.
+/// Where a delay line is shorter than the skew: one section after another, in the lanes from the base of
+/// their seats up; these count sections. Thread: RT.
+void run_sections_in_sequence(BarState& state, const BarDrive& drive, double* out) noexcept;
 void run_paper_in_sequence(BarState& state, const BarDrive& drive, double* out) noexcept;
 
 }  // namespace rigsound::tool

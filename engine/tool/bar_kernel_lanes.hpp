@@ -54,12 +54,24 @@ inline V shifted(V v) {
 #endif
 }
 
-/// The same where lane 0 belongs to the other family: nothing passes from it into lane 1.
-inline V shifted_apart(V v) {
+/// Lanes move up by one; `sample` enters the lowest.
+inline V pushed(V v, double sample) {
 #if RIGSOUND_LANES == 4
-  return (V)((Bits)__builtin_shufflevector(v, v, 0, 0, 1, 2) & Bits{0, 0, ~0ULL, ~0ULL});
+  const V up = __builtin_shufflevector(v, v, 0, 0, 1, 2);
+  return __builtin_shufflevector(up, V{sample}, 4, 1, 2, 3);
 #else
-  return __builtin_shufflevector(v, V{}, 3, 3);
+  return V{sample, v[0]};
+#endif
+}
+
+/// The same where lane 0 is another family's: `samples` enter it and the lowest of the others.
+inline V pushed_apart(V v, V2 samples) {
+#if RIGSOUND_LANES == 4
+  const V up = __builtin_shufflevector(v, v, 0, 0, 1, 2);
+  return __builtin_shufflevector(V{samples[0], samples[1]}, up, 0, 1, 6, 7);
+#else
+  (void)v;
+  return samples;
 #endif
 }
 
@@ -68,15 +80,6 @@ inline V everywhere(double x) {
   return V{x, x, x, x};
 #else
   return V{x, x};
-#endif
-}
-
-/// `low` in lane 0, `rest` in the others.
-inline V joined(V low, V rest) {
-#if RIGSOUND_LANES == 4
-  return __builtin_shufflevector(low, rest, 0, 5, 6, 7);
-#else
-  return __builtin_shufflevector(low, rest, 0, 3);
 #endif
 }
 
@@ -150,27 +153,16 @@ void run_sections(BarState& state, const BarDrive& drive, double* out) noexcept 
     c0[j] = load<V>(&lanes.c0[W * j]), h[j] = load<V>(&lanes.h[W * j]);
     x1[j] = load<V>(&lanes.x1[W * j]), x2[j] = load<V>(&lanes.x2[W * j]), y[j] = load<V>(&lanes.y[W * j]);
   }
-  Bits entry[N];
-  for (int j = 0; j < N; ++j) {
-    const int family = j < NT ? kTransversal : kLongitudinal, vector = j < NT ? j : j - NT;
-    entry[j] = vector < W ? load<Bits>(state.entry[family][vector]) : Bits{};
-    if (NL == 0 && vector < W) entry[j] |= load<Bits>(state.entry[kLongitudinal][vector]);
-  }
   Glue glue(state, drive);
   Taps taps(state);
   const int frames = drive.frames;
   for (int i = 0; i < frames; ++i, taps.advance()) {
-    const V from_L = everywhere((*taps.L)[kLongitudinal]);
-    const V from_T =
-        NL == 0 ? joined(from_L, everywhere((*taps.T)[kTransversal])) : everywhere((*taps.T)[kTransversal]);
-    V before = NL == 0 ? shifted_apart(y[NT - 1]) : shifted(y[NT - 1]);
+    const V2 from = {(*taps.L)[kLongitudinal], (*taps.T)[kTransversal]};
+    V before = NL == 0 ? pushed_apart(y[NT - 1], from) : pushed(y[NT - 1], from[1]);
 #pragma GCC unroll 24
     for (int j = 0; j < N; ++j) {
-      if (j == NT) before = shifted(y[N - 1]);
-      V u = before;
+      const V u = j == NT ? pushed(y[N - 1], from[0]) : before;
       before = y[j];
-      if (j < NT && j < W) u = entered(u, from_T, entry[j]);
-      if (j >= NT) u = entered(u, from_L, entry[j]);
       const V w = g0[j] * x1[j] - g1[j] * x2[j], m = w + g2[j] * u;
       y[j] = c0[j] * u - h[j] * w;
       x1[j] = m - x1[j];
@@ -193,7 +185,7 @@ struct PaperCascade {
 
   explicit PaperCascade(BarState& s)
       : lambda(everywhere(s.paper.lambda)), y_2(s.paper.y[s.paper.turn]), y_1(s.paper.y[1 - s.paper.turn]) {
-    for (int j = 0; j < kEntries; ++j) entry[j] = load<Bits>(s.entry[kTransversal][j]);
+    for (int j = 0; j < kEntries; ++j) entry[j] = load<Bits>(s.paper.entry[j]);
   }
 
   V section(V u, V mine_1, V u_1) const { return lambda * (u - mine_1) + u_1; }

@@ -23,8 +23,9 @@ class BarLoops {
   BarState& state() noexcept { return state_; }
 
  private:
-  void enter(Family family, int slot) noexcept;
   void seat(int stages_T, int stages_L, int width) noexcept;
+  bool skew_fits(const LoopDesign& loop, Family family) const noexcept;
+  void place_sequence(const ToolDesign& design) noexcept;
   void place_sections(const LoopDesign& loop, Family family, int width) noexcept;
   void place_paper_loops(const ToolDesign& design, LaneWidth width) noexcept;
   void place_filters(const LoopDesign& loop, Family family, double sign) noexcept;

@@ -35,18 +35,25 @@ struct PaperLanes {
   double lambda;
   int turn;  ///< y[turn]: of the sample before last; the other: of the last
   alignas(32) double y[2][kPaperLanes];
+  /// Where the first section sits among the first vectors: all bits set in that lane only, so that an OR
+  /// drops the delay line's sample among the idle lanes.
+  alignas(32) std::uint64_t entry[4][4];
 };
 
 /// Where a family sits among the lanes, W to a vector: slot s of its V vectors is vector s % V, lane s / V,
-/// so that all but one vector in V get their input from the vector before without moving lanes. Its sections
-/// end at slot `end`; slots before the first one idle at zero.
+/// so that all but one vector in V get their input from the vector before without moving lanes. Its slots are
+/// first ... end - 1, its sections the last of them; those before hand on a sample later what they get, for
+/// which the delay line is shorter. The paper's lanes cannot: they idle at zero.
 ///
 /// A longitudinal family whose few sections fit into the lanes the transversal one leaves idle has no vectors
-/// of its own: it takes lane 0 of the same ones (base 0, end V), the transversal family the lanes above.
+/// of its own: it takes lane 0 of the same ones (base 0, end V), the transversal family the lanes above
+/// (first V).
 struct Seats {
-  int base;     ///< first vector
-  int vectors;  ///< V
-  int end;      ///< in slots
+  int base;        ///< first vector
+  int vectors;     ///< V
+  int first, end;  ///< in slots
+
+  constexpr int skew() const noexcept { return end - first - 1; }  ///< samples the lanes delay by, all in all
 
   constexpr int lane(int slot, int width) const noexcept {
     return width * (base + slot % vectors) + slot / vectors;
@@ -72,9 +79,6 @@ struct BarState {
   double hp_b, hp_p;
   alignas(32) double hp_r[2];
 
-  // Where each family's first section sits among its first vectors: all bits set in that lane only, so that
-  // an OR drops the delay line's sample among the idle lanes.
-  alignas(32) std::uint64_t entry[2][4][4];
   Seats seats[2];  ///< of the lane width in use, per family
   int last[2];     ///< lane whose output leaves the cascade
 };

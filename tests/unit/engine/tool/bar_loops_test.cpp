@@ -134,6 +134,22 @@ TEST_CASE("skewed lanes give the bits of the sections one after another, at eith
     }
 }
 
+TEST_CASE("so do loops whose delay line is as short as it may be, or hardly longer") {
+  for (const Bar& bar : {Bar{0.3, 0.05}, Bar{0.47, 0.018}})
+    for (const int more : {0, 1, 2, 3, 4}) {
+      ToolDesign design = design_tool(model_of(bar), 44100);
+      for (const Family family : {kTransversal, kLongitudinal}) {
+        LoopDesign& loop = family == kTransversal ? design.transversal : design.longitudinal;
+        loop.delay_samples = std::max(1, loop.allpass.stages()) + more;
+        CAPTURE(bar.length_m);
+        CAPTURE(more);
+        const auto reference = sequential_response(loop, 0.87, 1024);
+        for (const LaneWidth width : {LaneWidth::kTwo, widest_lanes()})
+          CHECK(impulse_response(design, family, 0.87, 1024, width) == reference);
+      }
+    }
+}
+
 TEST_CASE("the paper's sections in vectors give the bits of one after another, at either width") {
   for (const int M : {2, 5, 9, 23, 40, 64})
     for (const int delay : {M, M + 1, M + 2, M + 17}) {
