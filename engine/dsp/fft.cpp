@@ -85,28 +85,30 @@ void double_butterflies(T* re, T* im, int half, const T* c, const T* s) noexcept
 }  // namespace
 
 template <class T>
-Fft<T>::Fft(int size) : size_(size), reversed_(static_cast<std::size_t>(size)) {
+Fft<T>::Fft(int size) : size_(size) {
+  const auto half = static_cast<std::size_t>(size / 2);
+  swaps_.reserve(half);
   for (int i = 0, j = 0; i < size; ++i) {
-    reversed_[static_cast<std::size_t>(i)] = j;
+    if (i < j) swaps_.push_back({i, j});
     int bit = size >> 1;
     for (; bit && (j & bit); bit >>= 1) j ^= bit;
     j |= bit;
   }
-  for (int length = 2; length <= size; length *= 2)
-    for (int j = 0; j < length / 2; ++j) {
-      cos_.push_back(static_cast<T>(cos(kTwoPi * j / length)));
-      sin_.push_back(static_cast<T>(-sin(kTwoPi * j / length)));
-    }
-  if (size > 1) stages_ = 1;
-  for (int half = 2; half < size; half *= 4) ++stages_;
+  if (size == 1) return;
+  cos_.resize(2 * half - 1), sin_.resize(2 * half - 1);
+  for (std::size_t j = 0; j < half; ++j) {
+    const SinCos turn = sin_cos(kTwoPi * static_cast<double>(j) / size);
+    cos_[half - 1 + j] = static_cast<T>(turn.cos), sin_[half - 1 + j] = static_cast<T>(-turn.sin);
+  }
+  for (std::size_t i = half - 1; i-- > 0;)  // half the angles of the stage above
+    cos_[i] = cos_[2 * i + 1], sin_[i] = sin_[2 * i + 1];
+  stages_ = 1;
+  for (int done = 2; done < size; done *= 4) ++stages_;
 }
 
 template <class T>
 void Fft<T>::put_in_order(T* re, T* im) const noexcept {
-  for (int i = 0; i < size_; ++i) {
-    const int j = reversed_[static_cast<std::size_t>(i)];
-    if (i < j) std::swap(re[i], re[j]), std::swap(im[i], im[j]);
-  }
+  for (const auto& [i, j] : swaps_) std::swap(re[i], re[j]), std::swap(im[i], im[j]);
   for (int i = 0; i < size_; i += 2) {  // the first stage turns nothing
     const T r = re[i + 1], q = im[i + 1];
     re[i + 1] = re[i] - r, im[i + 1] = im[i] - q;

@@ -1,6 +1,7 @@
 // Complex FFT of a power-of-two size with a written order of additions.
 #pragma once
 
+#include <array>
 #include <vector>
 
 namespace rigsound::dsp {
@@ -28,9 +29,9 @@ class Fft {
  private:
   void put_in_order(T* re, T* im) const noexcept;
 
-  int size_, stages_ = 0;      // of the order and the first pairs, then two pairings each
-  std::vector<int> reversed_;  // bit-reversed index
-  std::vector<T> cos_, sin_;   // twiddles of every stage, one stage after the other
+  int size_, stages_ = 0;                  // of the order and the first pairs, then two pairings each
+  std::vector<std::array<int, 2>> swaps_;  // of each index with the bit-reversed one
+  std::vector<T> cos_, sin_;               // twiddles of every stage, one stage after the other
 };
 
 extern template class Fft<float>;
