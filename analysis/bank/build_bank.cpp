@@ -109,8 +109,9 @@ BuiltBank build_bank(const SegmentedResult& recording, Method method, int count,
     set_gap_statistics(onsets, bank);
     bank.clicks =
         finished(extract_masked(segments, candidates, choose_by_cover(segments, candidates, wanted)));
-    equalise(bank, target);
-    set_level(bank, drilling_power(segments) * power(target) / power(denoised));
+    const ImpactPairs pairs(bank);
+    equalise(bank, pairs, target);
+    set_level(bank, pairs, drilling_power(segments) * power(target) / power(denoised));
   }
   built.figures = figures_of(segments, bank, target, denoised);
   built.figures.clicks_found = static_cast<int>(found);

@@ -23,33 +23,6 @@ void add_wrapped(const Click& click, float* sum) {
 /// The sample that the engine starts it at.
 long started(const PlayedClick& click) { return static_cast<long>(std::floor(click.time + 0.5)); }
 
-struct PairSpectra {
-  Eigen::ArrayXd of_same, of_other;  // clicks
-};
-
-/// Spectra of a_i a_j over t_j - t_i; the squares, with which they begin, sum to one.
-PairSpectra pair_spectra(const std::vector<PlayedClick>& played, FramePair& transform) {
-  double squares = 0;
-  for (const PlayedClick& click : played) squares += click.amplitude * click.amplitude;
-  transform.set({}, {});
-  float *same = transform.first(), *other = transform.second();
-  for (auto a = played.begin(); a != played.end(); ++a)
-    for (auto b = a; b != played.end() && started(*b) - started(*a) < kPoints / 2; ++b) {
-      const long lag = started(*b) - started(*a);
-      const auto product = static_cast<float>(a->amplitude * b->amplitude / squares);
-      float* pairs = a->click == b->click ? same : other;
-      pairs[lag] += product;
-      if (lag > 0) pairs[kPoints - lag] += product;
-    }
-  transform.forward();
-  PairSpectra spectra{Eigen::ArrayXd(kSpectrumBins), Eigen::ArrayXd(kSpectrumBins)};
-  for (int k = 0; k < kSpectrumBins; ++k) {
-    spectra.of_same(k) = static_cast<double>(transform.first_bin(k).real());
-    spectra.of_other(k) = static_cast<double>(transform.second_bin(k).real());
-  }
-  return spectra;
-}
-
 void add_power(FramePair& transform, double share, Eigen::ArrayXd& power) {
   transform.forward();
   for (int k = 0; k < kSpectrumBins; ++k) power(k) += share * static_cast<double>(transform.power(k));
@@ -90,9 +63,30 @@ double separate_power(const ClickBank& bank) {
 
 }  // namespace
 
-EndlessSpectrum::EndlessSpectrum(const ClickBank& bank) {
+ImpactPairs::ImpactPairs(const ClickBank& bank) : of_same(kSpectrumBins), of_other(kSpectrumBins) {
+  const std::vector<PlayedClick> played = played_clicks(bank, kImpacts, kImpactSeed);
+  double squares = 0;
+  for (const PlayedClick& click : played) squares += click.amplitude * click.amplitude;
   FramePair transform(kPoints);
-  const PairSpectra pairs = pair_spectra(played_clicks(bank, kImpacts, kImpactSeed), transform);
+  transform.set({}, {});
+  float *same = transform.first(), *other = transform.second();
+  for (auto a = played.begin(); a != played.end(); ++a)
+    for (auto b = a; b != played.end() && started(*b) - started(*a) < kPoints / 2; ++b) {
+      const long lag = started(*b) - started(*a);
+      const auto product = static_cast<float>(a->amplitude * b->amplitude / squares);
+      float* pairs = a->click == b->click ? same : other;
+      pairs[lag] += product;
+      if (lag > 0) pairs[kPoints - lag] += product;
+    }
+  transform.forward();
+  for (int k = 0; k < kSpectrumBins; ++k) {
+    of_same(k) = static_cast<double>(transform.first_bin(k).real());
+    of_other(k) = static_cast<double>(transform.second_bin(k).real());
+  }
+}
+
+EndlessSpectrum::EndlessSpectrum(const ImpactPairs& pairs, const ClickBank& bank) {
+  FramePair transform(kPoints);
   const Eigen::ArrayXd same = mean_click_power(bank.clicks, transform);
   power_ = pairs.of_same * same;
   const auto count = static_cast<double>(bank.clicks.size());

@@ -6,7 +6,6 @@
 #include <unsupported/Eigen/FFT>
 #include <utility>
 
-#include "bank/endless_spectrum.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/dsp/energy.hpp"
 #include "spectrum/frame_pair.hpp"
@@ -90,8 +89,8 @@ Eigen::ArrayXd minimum_phase_fir(const std::function<double(double)>& gain_db, i
   return response.head(taps).array();
 }
 
-void equalise(ClickBank& bank, const BandLevels& target) {
-  const BandLevels now = EndlessSpectrum(bank).third_octaves();
+void equalise(ClickBank& bank, const ImpactPairs& pairs, const BandLevels& target) {
+  const BandLevels now = EndlessSpectrum(pairs, bank).third_octaves();
   std::vector<double> gains_db;
   for (std::size_t b = 0; b < target.level_db.size(); ++b)
     gains_db.push_back(std::clamp(target.level_db[b] - now.level_db[b], -kMaxDb, kMaxDb));
@@ -101,8 +100,8 @@ void equalise(ClickBank& bank, const BandLevels& target) {
   renormalise(bank);
 }
 
-void set_level(ClickBank& bank, double power) {
-  const double gain = std::sqrt(power / EndlessSpectrum(bank).mean_square());
+void set_level(ClickBank& bank, const ImpactPairs& pairs, double power) {
+  const double gain = std::sqrt(power / EndlessSpectrum(pairs, bank).mean_square());
   bank.mean_amplitude *= gain;
   bank.amplitude_deviation *= gain;
 }

@@ -237,8 +237,8 @@ TEST_CASE("level follows the statistics: missed strikes make the same clicks qui
   const BuiltBank built = build_bank(alone(perfect_result(103, 4)), Method::kClickNmf, 10, "clip");
   ClickBank steady = built.bank, missing = built.bank;
   missing.miss_share = 0.3;
-  set_level(steady, 1e-2);
-  set_level(missing, 1e-2);
+  set_level(steady, ImpactPairs(steady), 1e-2);
+  set_level(missing, ImpactPairs(missing), 1e-2);
   CHECK(missing.mean_amplitude * missing.mean_amplitude ==
         doctest::Approx(1.3 / (1 + steady.miss_share) * steady.mean_amplitude * steady.mean_amplitude)
             .epsilon(0.02));
