@@ -1,7 +1,8 @@
 #include "dbc/dbc_attributes.hpp"
 
 #include <algorithm>
-#include <charconv>
+
+#include "text/number_of.hpp"
 
 namespace rigsound::config {
 namespace {
@@ -14,13 +15,6 @@ std::string value_text(DbcCursor& at) {
   if (at.at_string()) return at.expect_string("a value");
   if (!at.at_number()) at.fail_expected("a value");
   return std::string(at.take().text);
-}
-
-std::optional<double> as_number(std::string_view text) {
-  double x = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return x;
 }
 
 }  // namespace
@@ -67,7 +61,7 @@ std::optional<std::string> DbcAttributes::of_message(const std::string& attribut
   if (words == words_.end()) return value;
   // An enumeration's value may be written as its word or as its index.
   const bool is_word = std::find(words->second.begin(), words->second.end(), value) != words->second.end();
-  const auto index = as_number(value);
+  const auto index = number_of<double>(value);
   if (!is_word && index && *index >= 0 && *index < static_cast<double>(words->second.size()))
     value = words->second[static_cast<std::size_t>(*index)];
   return value;
@@ -76,7 +70,8 @@ std::optional<std::string> DbcAttributes::of_message(const std::string& attribut
 void DbcAttributes::apply(std::int64_t raw_id, DbcMessage& message) const {
   message.j1939 = message.extended && of_message("VFrameFormat", raw_id) == "J1939PG";
   const auto cycle = of_message("GenMsgCycleTime", raw_id);
-  if (const auto milliseconds = cycle ? as_number(*cycle) : std::nullopt; milliseconds && *milliseconds > 0)
+  if (const auto milliseconds = cycle ? number_of<double>(*cycle) : std::nullopt;
+      milliseconds && *milliseconds > 0)
     message.cycle_s = *milliseconds / 1000;
   message.long_name = of_message("SystemMessageLongSymbol", raw_id).value_or("");
   for (DbcSignal& signal : message.signals) {

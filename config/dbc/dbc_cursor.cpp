@@ -1,10 +1,9 @@
 #include "dbc/dbc_cursor.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 #include "rigsound/machine/input_error.hpp"
+#include "text/number_of.hpp"
 #include "text/utf8.hpp"
 
 namespace rigsound::config {
@@ -49,23 +48,21 @@ double DbcCursor::expect_number(std::string_view what) {
   if (!at_number()) fail_expected(what);
   std::string_view text = peek().text;
   if (text.front() == '+') text.remove_prefix(1);
-  double x = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
-  if (error != std::errc() || end != text.data() + text.size()) fail_expected(what);
+  const auto x = number_of<double>(text);
+  if (!x) fail_expected(what);
   take();
-  return x;
+  return *x;
 }
 
 std::int64_t DbcCursor::expect_integer(std::string_view what, std::int64_t min, std::int64_t max) {
   if (!at_number()) fail_expected(what);
   std::string_view text = peek().text;
   if (text.front() == '+') text.remove_prefix(1);
-  std::int64_t n = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
-  if (error != std::errc() || end != text.data() + text.size() || n < min || n > max)
+  const auto n = number_of<std::int64_t>(text);
+  if (!n || *n < min || *n > max)
     fail_expected(std::string(what) + " from " + std::to_string(min) + " to " + std::to_string(max));
   take();
-  return n;
+  return *n;
 }
 
 void DbcCursor::fail(std::string_view message) const {

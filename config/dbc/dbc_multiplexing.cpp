@@ -1,10 +1,10 @@
 #include "dbc/dbc_multiplexing.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 
 #include "rigsound/machine/input_error.hpp"
+#include "text/number_of.hpp"
 
 namespace rigsound::config {
 namespace {
@@ -26,8 +26,9 @@ bool parse_mux(std::string_view word, DbcMux& mux) {
   mux.is_multiplexor = word.back() == 'M';
   word.remove_prefix(1);
   if (mux.is_multiplexor) word.remove_suffix(1);
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), mux.value);
-  mux.is_multiplexed = error == std::errc() && end == word.data() + word.size();
+  const auto value = number_of<decltype(mux.value)>(word);
+  mux.is_multiplexed = value.has_value();
+  mux.value = value.value_or(0);
   return mux.is_multiplexed;
 }
 

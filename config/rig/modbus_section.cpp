@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 
 #include "rig/allow.hpp"
@@ -7,6 +6,7 @@
 #include "rigsound/file/file_kind.hpp"
 #include "rigsound/modbus/exchange.hpp"
 #include "rigsound/socket/host_port.hpp"
+#include "text/number_of.hpp"
 #include "toml/toml_reader.hpp"
 
 namespace rigsound::config {
@@ -40,9 +40,9 @@ void read_values(TomlTable table, RegisterRoute& route) {
   const SignalInfo& signal = info(route.target.signal);
   for (const std::string& key : table.keys()) {
     NamedValue named;
-    const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), named.raw);
-    if (error != std::errc() || end != key.data() + key.size())
-      table.fail(key, "is no raw value, expected a whole number");
+    const auto raw = number_of<decltype(named.raw)>(key);
+    if (!raw) table.fail(key, "is no raw value, expected a whole number");
+    named.raw = *raw;
     if (table.is_text(key)) {
       named.value = value_of_word(table, key, table.text(key, {}), route.target.signal);
     } else {

@@ -1,16 +1,15 @@
 #include "rig/network.hpp"
 
 #include <algorithm>
-#include <charconv>
+
+#include "text/number_of.hpp"
 
 namespace rigsound::config {
 namespace {
 
 std::optional<int> whole_number(std::string_view text, int max) {
-  int n = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
-  if (error != std::errc() || end != text.data() + text.size() || n < 0 || n > max) return std::nullopt;
-  return n;
+  const auto n = number_of<int>(text);
+  return n && *n >= 0 && *n <= max ? n : std::nullopt;
 }
 
 std::optional<std::vector<std::uint8_t>> parse_v4(std::string_view text) {
@@ -31,13 +30,10 @@ std::optional<std::vector<std::uint8_t>> parse_groups(std::string_view text) {
   std::vector<std::uint8_t> bytes;
   while (!text.empty()) {
     const std::size_t colon = std::min(text.find(':'), text.size());
-    const std::string_view group = text.substr(0, colon);
-    unsigned value = 0;
-    const auto [end, error] = std::from_chars(group.data(), group.data() + group.size(), value, 16);
-    if (error != std::errc() || end != group.data() + group.size() || value > 0xFFFF || bytes.size() >= 16)
-      return std::nullopt;
-    bytes.push_back(static_cast<std::uint8_t>(value >> 8));
-    bytes.push_back(static_cast<std::uint8_t>(value & 0xFF));
+    const auto group = number_of<std::uint16_t>(text.substr(0, colon), 16);
+    if (!group || bytes.size() >= 16) return std::nullopt;
+    bytes.push_back(static_cast<std::uint8_t>(*group >> 8));
+    bytes.push_back(static_cast<std::uint8_t>(*group & 0xFF));
     if (colon + 1 == text.size()) return std::nullopt;
     text.remove_prefix(std::min(colon + 1, text.size()));
   }
