@@ -7,10 +7,6 @@
 namespace rigsound::config {
 namespace {
 
-bool is_object(std::string_view word) {
-  return word == "BO_" || word == "SG_" || word == "BU_" || word == "EV_";
-}
-
 std::string value_text(DbcCursor& at) {
   if (at.at_string()) return at.expect_string("a value");
   if (!at.at_number()) at.fail_expected("a value");
@@ -19,8 +15,12 @@ std::string value_text(DbcCursor& at) {
 
 }  // namespace
 
+bool is_dbc_object(std::string_view word) {
+  return word == "BO_" || word == "SG_" || word == "BU_" || word == "EV_";
+}
+
 void DbcAttributes::read_definition(DbcCursor& at) {
-  if (at.at_word() && is_object(at.peek().text)) at.take();
+  if (at.at_word() && is_dbc_object(at.peek().text)) at.take();
   const std::string name = at.expect_string("the name of an attribute in quotes");
   const std::string type = at.expect_word("INT, HEX, FLOAT, STRING or ENUM");
   if (type == "ENUM") {
@@ -43,7 +43,7 @@ void DbcAttributes::read_value(DbcCursor& at) {
   const std::string object = at.at_word() ? at.expect_word("BO_, SG_, BU_ or EV_") : "";
   std::int64_t id = 0;
   if (object == "BO_" || object == "SG_") id = at.expect_integer("a message identifier", 0, 0xFFFFFFFF);
-  const bool named = object == "SG_" || object == "BU_" || object == "EV_";
+  const bool named = is_dbc_object(object) && object != "BO_";
   const std::string owner = named ? at.expect_word("a name") : "";
   const std::string value = value_text(at);
   if (object == "BO_") message_values_[{name, id}] = value;

@@ -13,6 +13,9 @@
 
 namespace rigsound::config {
 
+/// True for the word before a message, a signal, a node or an environment variable.
+bool is_dbc_object(std::string_view word);
+
 class DbcAttributes {
  public:
   void read_definition(DbcCursor& at);  ///< BA_DEF_

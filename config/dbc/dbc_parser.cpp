@@ -94,11 +94,8 @@ class Parser {
   void new_symbols() {
     at_.expect_sign(':');
     while (at_.at_word()) {
-      const std::string_view word = at_.peek().text, next = at_.peek(1).text;
-      if (word == "BS_" || word == "BU_" || word == "BO_" || at_.peek(1).kind != DbcToken::Kind::kWord)
-        return;
-      const bool object = next == "BO_" || next == "SG_" || next == "BU_" || next == "EV_";
-      if (object && at_.peek(2).kind == DbcToken::Kind::kString) return;
+      if (at_.peek().text == "BO_" || at_.peek(1).kind != DbcToken::Kind::kWord) return;
+      if (is_dbc_object(at_.peek(1).text) && at_.peek(2).kind == DbcToken::Kind::kString) return;
       at_.take();
     }
   }
