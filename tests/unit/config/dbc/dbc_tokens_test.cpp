@@ -92,6 +92,26 @@ TEST_CASE("where a quote is missing a string ends before the next section, else 
   CHECK(cut("CM_ \"an \\\" escape\nBO_ 1\";") == "|wCM_ san \\\" escape\nBO_ 1 g; .");
 }
 
+TEST_CASE("a text ends where its view ends, and begins where it begins") {
+  const auto first = [](std::string_view text, std::size_t letters) { return cut(text.substr(0, letters)); };
+  CHECK(first("12345", 2) == "|n12 .");
+  CHECK(first("1e55", 3) == "|n1e5 .");
+  CHECK(first("1e55", 2) == "|n1 we .");
+  CHECK(first("-5", 1) == "|g- .");
+  CHECK(first("abc", 2) == "|wab .");
+  CHECK(first("a \n b", 1) == "|wa .");
+  CHECK(first("a \n b", 2) == "|wa .");
+  CHECK(first("a //b\nc", 3) == "|wa g/ .");
+  CHECK(first("a //b\nc", 5) == "|wa .");
+  CHECK(first("\"ab\" c", 3) == "|sab .");
+  CHECK(first("\"a\\\" c", 3) == "|sa\\ .");
+  CHECK(first("\"a\" \"\nBO_ 1", 3) == "|sa .");
+  CHECK(first("CM_ \"a\nBO_", 9) == "|wCM_ sa\nBO .");
+  CHECK(first("CM_ \"a\nCM_X", 10) == "|wCM_ g\" |wCM_ .");
+  CHECK(first("CM_ \"a\nBO_ \"", 11) == "|wCM_ g\" |wBO_ .");
+  CHECK(cut(std::string_view("a-5").substr(1)) == "|n-5 .");
+}
+
 TEST_CASE("a byte order mark is no token") {
   CHECK(cut("\xEF\xBB\xBF"
             "a") == "|wa .");
