@@ -31,7 +31,7 @@ std::optional<std::vector<std::uint8_t>> parse_groups(std::string_view text) {
   while (!text.empty()) {
     const std::size_t colon = std::min(text.find(':'), text.size());
     const auto group = number_of<std::uint16_t>(text.substr(0, colon), 16);
-    if (!group || bytes.size() >= 16) return std::nullopt;
+    if (!group) return std::nullopt;
     bytes.push_back(static_cast<std::uint8_t>(*group >> 8));
     bytes.push_back(static_cast<std::uint8_t>(*group & 0xFF));
     if (colon + 1 == text.size()) return std::nullopt;

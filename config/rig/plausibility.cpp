@@ -26,21 +26,20 @@ std::string shown(Signal s) {
 }
 
 /// Whether a signal of the bus may be what the machine's signal is, as far as units tell.
-bool units_go_together(const std::string& unit, Signal target) {
-  const auto given = unit_of(unit);
+bool units_go_together(const Unit& given, Signal target) {
   const auto wanted = unit_of_signal(target);
-  if (!given) return true;
-  return wanted && given->quantity == wanted->quantity;
+  return wanted && given.quantity == wanted->quantity;
 }
 
 std::string unit_doubt(const MappedSignal& s, const std::vector<MappedSignal>& all) {
   const auto given = unit_of(s.unit);
   if (!given) return {};
   const std::string both = s.name + " is in " + s.unit + ", " + shown(s.target.signal);
-  if (!units_go_together(s.unit, s.target.signal)) {
+  if (!units_go_together(*given, s.target.signal)) {
     const auto other = std::find_if(all.begin(), all.end(), [&](const MappedSignal& o) {
-      return o.name != s.name && unit_of(o.unit) && units_go_together(s.unit, o.target.signal) &&
-             units_go_together(o.unit, s.target.signal);
+      const auto its = unit_of(o.unit);
+      return o.name != s.name && its && units_go_together(*given, o.target.signal) &&
+             units_go_together(*its, s.target.signal);
     });
     return both + ": " +
            (other == all.end() ? "another signal?"
