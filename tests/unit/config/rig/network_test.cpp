@@ -16,7 +16,8 @@ TEST_CASE("addresses are read as inet_pton reads them") {
     CHECK(network->address == std::vector<std::uint8_t>(expected.begin(), expected.end()));
     CHECK(network->prefix == 32);
   }
-  for (const char* text : {"::", "::1", "fe80::", "2001:db8:0:1:2:3:4:5", "1::8", "2001:DB8::ff00:42:8329"}) {
+  for (const char* text : {"::", "::1", "fe80::", "2001:db8:0:1:2:3:4:5", "1::8",
+                           "1:2:3:4:5:6:7::", "::2:3:4:5:6:7:8", "ffff::FFFF", "2001:DB8::ff00:42:8329"}) {
     std::array<std::uint8_t, 16> expected{};
     REQUIRE(inet_pton(AF_INET6, text, expected.data()) == 1);
     const auto network = config::parse_network(text);
@@ -56,6 +57,19 @@ TEST_CASE("what is no network is refused") {
                            "1:2:3:4:5:6:7::8:9",
                            "1::2::3",
                            "g::",
+                           "g::1",
+                           "1::g",
+                           "1::2:",
+                           ":1::2",
+                           "1:2:3:4:5:6:7:8:",
+                           ":1:2:3:4:5:6:7:8",
+                           "1:2:3:4:5:6:7:10000",
+                           "1:2:3:4:5:6:7:-8",
+                           "1:2:3:4:5:6:7:8::",
+                           "1:2:3:4:5:6:7::8",
+                           "1.2.3.",
+                           "1.2.3.4.",
+                           "1.2.3.4/-1",
                            "1:"}) {
     INFO(text);
     CHECK_FALSE(config::parse_network(text));

@@ -110,6 +110,13 @@ TEST_CASE("a range beyond the signal's is told with what becomes of it") {
         "A.R goes from 1 to 21, rod_count from 1 to 20: what is outside is refused");
 }
 
+TEST_CASE("both ends of a range are scaled and moved, and put in order") {
+  CHECK(doubt_scaled(mapped(kRods, "A.R", "", 2, 9), 3, 1) ==
+        "A.R goes from 7 to 28, rod_count from 1 to 20: what is outside is refused");
+  CHECK(doubt_scaled(mapped(kRods, "A.R", "", 2, 9), -2, -1) ==
+        "A.R goes from -19 to -5, rod_count from 1 to 20: what is outside is refused");
+}
+
 TEST_CASE("a share from 0 to 100 is one in percent") {
   CHECK(doubt({mapped(kLoad, "A.L", "", 0, 100)}) ==
         "A.L goes from 0 to 100, engine_load from 0 to 1: scale = 0.01?");
@@ -144,6 +151,7 @@ TEST_CASE("shares in percent bring their own scale, other units none") {
   CHECK(config::scale_of_unit(kLoad, "percent") == 0.01);
   CHECK(config::scale_of_unit(kLoad, "") == 1);
   CHECK(config::scale_of_unit(kLoad, "bar") == 1);
+  CHECK(config::scale_of_unit(kLoad, "kPa") == 1);
   CHECK(config::scale_of_unit(kFeed, "kPa") == 1);
   CHECK(config::scale_of_unit(kFeed, "%") == 1);
   CHECK(config::scale_of_unit(kRods, "%") == 1);
