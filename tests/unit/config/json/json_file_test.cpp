@@ -92,6 +92,32 @@ TEST_CASE("lists longer than any model has, and files larger, are refused") {
         file.string() + ": is of 17 MiB, expected a model of at most 16 MiB");
 }
 
+TEST_CASE("a list may be as long as its reader says") {
+  const TemporaryFolder folder;
+  const JsonFile json(folder.write(
+      "a.json", "{\"pairs\": [[1, 2], [3, 4]], \"objects\": [{}" + repeated(",{}", 1023) + "]}"));
+  const auto pairs = json.pairs("pairs", {0, 9}, 2);
+  REQUIRE(pairs.size() == 2);
+  CHECK((pairs[1][0] == 3 && pairs[1][1] == 4));
+  CHECK(json.objects("objects").size() == 1024);
+}
+
+TEST_CASE("a pair is a list of two numbers in their range") {
+  const TemporaryFolder folder;
+  const auto said = [&](const char* pair) {
+    const JsonFile json(folder.write("a.json", "{\"x\": [[1, 2], " + std::string(pair) + "]}"));
+    return complaint([&] { json.pairs("x", {0, 9}, 3); });
+  };
+  CHECK(said("[0, 9]").empty());
+  for (const char* other : {"1", "{}", "{\"a\": 1, \"b\": 2}", "\"ab\"", "[]", "[1]", "[1, 2, 3]",
+                            "[\"a\", 2]", "[1, \"b\"]", "[1, null]"}) {
+    CAPTURE(other);
+    CHECK(said(other).find("x: holds something else, expected at most 3 pairs [b, c]") != std::string::npos);
+  }
+  CHECK(said("[10, 2]").find("x: is 10, expected 0...9") != std::string::npos);
+  CHECK(said("[1, -1]").find("x: is -1, expected 0...9") != std::string::npos);
+}
+
 TEST_CASE("messages name a wrong value's kind and never print what it holds") {
   TemporaryFolder folder;
   const std::string big = repeated("[1,", 20) + "1" + repeated("]", 20);
