@@ -69,6 +69,23 @@ TEST_CASE("raw values of a table are whole numbers") {
             .find("rattling.offset: does not go with values") != std::string::npos);
 }
 
+TEST_CASE("a table of values holds what its signal may be: 0 where that means something, else its range") {
+  CHECK(said_of_register("address = 0, values = { 0 = 0, 1 = 40 }", "percussion_rate_hz").empty());
+  CHECK_FALSE(said_of_register("address = 0, values = { 0 = 1 }", "percussion_rate_hz").empty());
+  CHECK(said_of_register("address = 0, values = { 0 = 1, 1 = 20 }", "rod_count").empty());
+  CHECK_FALSE(said_of_register("address = 0, values = { 0 = 0 }", "rod_count").empty());
+  CHECK_FALSE(said_of_register("address = 0, values = { 0 = 21 }", "rod_count").empty());
+}
+
+TEST_CASE("a unit is down after its time-out or three polls, whichever is longer, and not before 0.3 s") {
+  const auto down_after_s = [](const std::string& keys) {
+    return loaded("[[modbus]]\nrole = \"client\"\n" + keys).modbus[0].down_after_s;
+  };
+  CHECK(down_after_s("poll_ms = 100\ntimeout_ms = 2000\n") == 2);
+  CHECK(down_after_s("poll_ms = 1000\ntimeout_ms = 500\n") == 3);
+  CHECK(down_after_s("poll_ms = 20\ntimeout_ms = 100\n") == 0.3);
+}
+
 TEST_CASE("a bit is one of 32, and no mask and no float beside it") {
   CHECK(said_of_register("address = 0, type = \"uint32\", bit = 31", "percussion").empty());
   CHECK(said_of_register("address = 0, type = \"float32\", bit = 3")

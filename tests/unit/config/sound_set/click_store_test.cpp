@@ -29,6 +29,13 @@ TEST_CASE("clicks lie apart in one block, at multiples of 64 bytes, and outlive 
   CHECK(beside == 37);  // sixteen in a block
 }
 
+TEST_CASE("clicks whose bytes are a multiple of 64 lie without a gap") {
+  config::ClickStore store(std::size_t{1} << 16);
+  const std::shared_ptr<float> first = store.room(16), second = store.room(17), third = store.room(1);
+  CHECK(second.get() - first.get() == 16);
+  CHECK(third.get() - second.get() == 32);
+}
+
 TEST_CASE("more than a block takes a block of its own") {
   config::ClickStore store;
   const std::shared_ptr<float> room = store.room(3 * LargeBlock::kPiece / sizeof(float));
