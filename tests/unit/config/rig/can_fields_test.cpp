@@ -85,6 +85,8 @@ TEST_CASE("of a J1939 field the values above 250/255 mean something else, so its
                     above = "0|16@1+ (0.01,100) [100|742.55] \"bar\"";
   CHECK_FALSE(doubted("2566844672 M: 8", valid, "j1939 = true\n"));
   CHECK_FALSE(doubted("2566844672 M: 8", above, "j1939 = true\n"));
+  for (const char* all : {"0|16@1+ (0.01,0) [0|655.35] \"bar\"", "0|16@1+ (0.01,100) [100|755.35] \"bar\""})
+    CHECK_FALSE(doubted("2566844672 M: 8", all, "j1939 = true\n"));
   CHECK(doubted("2566844672 M: 8", valid));
   CHECK(doubted("2566844672 M: 8", above));
 }
