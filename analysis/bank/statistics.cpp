@@ -4,12 +4,14 @@
 #include <cmath>
 #include <utility>
 
+#include "clicks/gaps.hpp"
 #include "numeric/quantile.hpp"
 
 namespace rigsound::analysis {
 namespace {
 
 constexpr double kShortestPlain = 0.6, kLongestPlain = 1.5;  // of the median: what counts as one plain gap
+constexpr double kMostlyDouble = 0.4;       // second strikes a first one, from which few gaps are plain
 constexpr double kWholeSlack = 0.25;        // of the median: two parts of one gap add up to it within this
 constexpr double kSteadyDeviation = 0.002;  // sigma_T / T_0 below which only rounding is left to correlate
 constexpr double kMaxCorrelation = 0.9;
@@ -90,9 +92,25 @@ double share(const Series<Kind>& kinds, Kind wanted) {
   return hits / count;
 }
 
+/// Those of the schedule of a machine most of whose strikes are double: no gap of it is plain.
+bool set_double_statistics(const Series<int>& onsets, ClickBank& bank) {
+  Series<int> first;
+  double all = 0, scheduled = 0;
+  for (const auto& P : onsets) {
+    first.push_back(first_strikes(P));
+    all += static_cast<double>(P.size()), scheduled += static_cast<double>(first.back().size());
+  }
+  const double doubled = all / scheduled - 1;
+  if (doubled < kMostlyDouble) return false;
+  set_gap_statistics(first, bank);
+  bank.double_share = std::min(doubled, 1 - bank.miss_share);
+  return true;
+}
+
 }  // namespace
 
 void set_gap_statistics(const Series<int>& onsets, ClickBank& bank) {
+  if (set_double_statistics(onsets, bank)) return;
   const Series<double> gaps = gaps_of(onsets);
   const double T = median_of(gaps);
   Series<Kind> kinds;

@@ -10,6 +10,7 @@
 #include "chain/clip_verdict.hpp"
 #include "chain/second_machine.hpp"
 #include "clicks/drilling_test.hpp"
+#include "clicks/second_strikes.hpp"
 #include "denoise/cs_nmf.hpp"
 #include "denoise/factors.hpp"
 #include "denoise/initial_nmf.hpp"
@@ -165,6 +166,14 @@ Pass second_pass(const std::vector<float>& x, const MeanPsd& powers, const WordF
   return pass;
 }
 
+/// After the verdict, whose figures are those of plain trains.
+void add_second_strikes(const WordFit& clip, Pass& pass) {
+  ClickTrain twice = with_second_strikes(pass.found.y, pass.found.candidates, pass.clicks);
+  if (twice.P.size() <= pass.clicks.P.size()) return;
+  pass.clicks = std::move(twice);
+  pass.factors = final_factors(clip, pass.clicks, noise_share(mean_psd(*pass.factors, clip.power())));
+}
+
 ClipMachine machine_of(const Spectrogram& X, const PowerSpectrogram& power, const Factors& factors,
                        std::vector<JudgedWindow> verdict, ClickTrain clicks, std::size_t length) {
   MeanPsd mean = recorded_shares(X, mean_psd(factors, power));
@@ -225,6 +234,7 @@ std::vector<ClipMachine> split_by_click_nmf(const std::vector<float>& x, const s
     pass = second_pass(x, mean_psd(*pass.factors, power), clip, dump);
   }
   if (may_drill) verdict = judged();
+  if (drills(verdict)) add_second_strikes(clip, pass);
   if (drills(verdict))
     if (const auto two = find_second_machine(x, start.found.y, clip, pass.clicks))
       if (auto both = split_of_two(x, windows, X, power, *two, dump); !both.empty()) return both;

@@ -88,7 +88,7 @@ ClickTrain join_clicks(const std::vector<DrillingSegment>& segments) {
       train.P.push_back(static_cast<int>(segment.begin + segment.result.clicks.P[i]));
       train.beta.push_back(segment.result.clicks.beta[i]);
     }
-  if (train.P.size() > 2) train.mean_gap_samples = median_gap(train.P);
+  if (train.P.size() > 2) train.mean_gap_samples = median_gap(first_strikes(train.P));
   return train;
 }
 

@@ -13,7 +13,7 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr int kCoarse = 8, kFine = 2;  // samples a block
+constexpr int kFine = 2;  // samples a block
 constexpr int kRounds = 3, kRoughRounds = 2;
 constexpr long kFullRateReach = 16;
 
@@ -65,6 +65,20 @@ ClickTrain train_of(const ModelClicks& clicks, const ClickEnvelope& envelope, do
 
 }  // namespace
 
+ClickTrain fit_finely(const Eigen::ArrayXd& y, double T_0, ClickEnvelope envelope, ModelClicks clicks,
+                      const Eigen::ArrayXd& others) {
+  rescale(clicks, kCoarse, kFine);
+  clicks.others = others.size() > 0 ? block_mean(others, kFine) : others;
+  fit_envelope(block_power(y, kFine), T_0, {kFine, 40, 2}, envelope, clicks);
+  rescale(clicks, kFine, 1);
+  clicks.others = others;
+  const Eigen::ArrayXd power = y.square();
+  const EnvelopePower shape = envelope_power(envelope, 1);
+  for (const long step : {2L, 1L}) shift_clicks(power, shape, {kFullRateReach, step}, clicks);
+  update_powers(power, TrainPower(shape, clicks.onset, y.size()), 6, 1e9, clicks);
+  return train_of(clicks, envelope, T_0, y.size());
+}
+
 ClickTrain fit_clicks(const Eigen::ArrayXd& y, const Candidates& candidates, const Selection& selection,
                       FitEffort effort, const Eigen::ArrayXd& others) {
   const auto others_in = [&](int block) { return others.size() > 0 ? block_mean(others, block) : others; };
@@ -82,16 +96,7 @@ ClickTrain fit_clicks(const Eigen::ArrayXd& y, const Candidates& candidates, con
     return train_of(clicks, envelope, T_0, y.size());
   }
 
-  rescale(clicks, kCoarse, kFine);
-  clicks.others = others_in(kFine);
-  fit_envelope(block_power(y, kFine), T_0, {kFine, 40, 2}, envelope, clicks);
-  rescale(clicks, kFine, 1);
-  clicks.others = others;
-  const Eigen::ArrayXd power = y.square();
-  const EnvelopePower shape = envelope_power(envelope, 1);
-  for (const long step : {2L, 1L}) shift_clicks(power, shape, {kFullRateReach, step}, clicks);
-  update_powers(power, TrainPower(shape, clicks.onset, y.size()), 6, 1e9, clicks);
-  return train_of(clicks, envelope, T_0, y.size());
+  return fit_finely(y, T_0, std::move(envelope), std::move(clicks), others);
 }
 
 }  // namespace rigsound::analysis

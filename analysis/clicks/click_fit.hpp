@@ -4,11 +4,14 @@
 #include <Eigen/Core>
 
 #include "clicks/selection.hpp"
+#include "clicks/variance_model.hpp"
 #include "rigsound/analysis/click_train.hpp"
 
 namespace rigsound::analysis {
 
 constexpr std::size_t kFewestFitted = 4;  ///< clicks an envelope can be fitted to
+
+constexpr int kCoarse = 8;  ///< samples a block, before the fit is fine
 
 enum class FitEffort {
   kRough,  ///< two rounds on blocks of 8 samples: enough to explain a spectrogram by
@@ -21,5 +24,10 @@ enum class FitEffort {
 /// Thread: OFF.
 ClickTrain fit_clicks(const Eigen::ArrayXd& y, const Candidates& candidates, const Selection& selection,
                       FitEffort effort, const Eigen::ArrayXd& others = {});
+
+/// The last part of fit_clicks(): from clicks on blocks of kCoarse and their envelope to full rate. Thread:
+/// OFF.
+ClickTrain fit_finely(const Eigen::ArrayXd& y, double T_0, ClickEnvelope envelope, ModelClicks clicks,
+                      const Eigen::ArrayXd& others);
 
 }  // namespace rigsound::analysis

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "clicks/gaps.hpp"
+#include "numeric/quantile.hpp"
 #include "rigsound/analysis/rate.hpp"
 
 namespace rigsound::analysis {
@@ -23,6 +24,9 @@ constexpr double kScoreAtReference = 8.4, kScoreCap = 12;
 // are there leave it few, and slow drills would be found at half their period.
 constexpr double kChanceShare = 0.5;
 constexpr int kChanceDraws = 6;
+// Strikes that come in pairs: what a long gap measures of a short one, how far their sums may differ, and the
+// share of the chain that must be so. Of swung music the long gap measures two short ones.
+constexpr double kRest = 2.5, kPairsApart = 0.15, kMostInPairs = 0.75;
 constexpr double kLn[] = {0, 0, 0.69314718055994531, 1.0986122886681098, 1.3862943611198906};  // of 2, 3, 4
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
@@ -122,6 +126,22 @@ Hypothesis best_near(int T, const Candidates& candidates, const std::vector<doub
   return h;
 }
 
+/// The period of a chain that rests after every second click, blocks: one hears strikes that come twice,
+/// found as pulses of which some are missed. 0 for other chains.
+double period_of_pairs(const std::vector<int>& block) {
+  std::vector<double> sums;
+  for (std::size_t i = 2; i < block.size(); ++i) {
+    const double before = block[i - 1] - block[i - 2], after = block[i] - block[i - 1];
+    if (std::max(before, after) >= kRest * std::min(before, after)) sums.push_back(before + after);
+  }
+  if (sums.size() < 4 || static_cast<double>(sums.size()) < kMostInPairs * static_cast<double>(block.size()))
+    return 0;
+  const double period = upper_median(sums);
+  const auto steady = std::count_if(sums.begin(), sums.end(),
+                                    [&](double sum) { return std::fabs(sum / period - 1) < kPairsApart; });
+  return static_cast<double>(steady) < kMostInPairs * static_cast<double>(sums.size()) ? 0 : period;
+}
+
 }  // namespace
 
 double gap_cost(double g) {
@@ -186,15 +206,23 @@ Selection select_clicks(const Candidates& candidates, const RateRange& range) {
                    [](const Hypothesis& a, const Hypothesis& b) { return a.chain.total > b.chain.total; });
   const double least_chance = *std::max_element(score.begin(), score.end()) - 2 * kLongestEdge * kMissCost;
   double best = -kInfinite;
+  const auto take = [&](const Hypothesis& h, double chance) {
+    selection.surplus = h.chain.total - chance;
+    selection.total = h.chain.total;
+    selection.block = blocks_of(candidates, h.chain);
+    selection.mean_gap_blocks = selection.block.size() > 2 ? median_gap(selection.block) : h.costs.T_0;
+  };
   for (const Hypothesis& h : hypotheses) {
     if (h.chain.total - kChanceShare * least_chance <= best) break;  // nor does any that follows exceed it
     const double chance = total_by_chance(draws, score, h.costs, candidates.z.size());
     if (h.chain.total - kChanceShare * chance <= best) continue;
     best = h.chain.total - kChanceShare * chance;
-    selection.surplus = h.chain.total - chance;
-    selection.total = h.chain.total;
-    selection.block = blocks_of(candidates, h.chain);
-    selection.mean_gap_blocks = selection.block.size() > 2 ? median_gap(selection.block) : h.costs.T_0;
+    take(h, chance);
+  }
+  const double pairs = period_of_pairs(selection.block);
+  if (pairs > 0 && kBlockRate / pairs >= range.slowest_hz) {
+    const Hypothesis h = best_near(static_cast<int>(std::lround(pairs)), candidates, score);
+    take(h, total_by_chance(draws, score, h.costs, candidates.z.size()));
   }
   return selection;
 }

@@ -149,6 +149,22 @@ TEST_CASE("a double strike leaves the spread of the plain gaps alone and the mea
   CHECK(played_gap == doctest::Approx(recorded_gap).epsilon(0.01));
 }
 
+TEST_CASE("where every strike is double, the schedule is that of the pairs") {
+  SplitMix stream(8);
+  std::vector<int> P;
+  double t = 0;
+  for (const double g : lognormal_series(5000, 0.04, 0, stream)) {
+    P.push_back(static_cast<int>(t)), P.push_back(static_cast<int>(t) + 1248);
+    t += 5854 * g;
+  }
+  ClickBank bank;
+  set_gap_statistics({P}, bank);
+  CHECK(bank.mean_gap_samples == doctest::Approx(5854).epsilon(0.002));
+  CHECK(bank.gap_deviation_samples == doctest::Approx(0.04 * 5854).epsilon(0.05));
+  CHECK(bank.miss_share < 0.001);
+  CHECK(bank.double_share == doctest::Approx(1).epsilon(0.002));
+}
+
 TEST_CASE("amplitude statistics give back the process, and segments do not correlate across their seam") {
   SplitMix stream(4);
   const std::vector<double> series = lognormal_series(40000, 0.3, 0.5, stream);

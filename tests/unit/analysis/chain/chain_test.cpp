@@ -165,6 +165,29 @@ TEST_CASE("a low drill that rings slowly is found as loud as its background") {
   }
 }
 
+TEST_CASE("a breaker that strikes twice in every period is heard twice, at its own period") {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    TestNoise noise(seed);
+    const long length = 4 * 48000;
+    std::vector<long> P;
+    for (double t = 2000; t + 3000 < double(length); t += 5854 * (1 + 0.04 * noise.normal()))
+      P.push_back(long(t)), P.push_back(long(t) + 1248);
+    std::vector<float> x(length);
+    for (const long onset : P) {
+      const double strength = 0.2 * std::max(0.25, 1 + 0.2 * noise.normal());
+      for (long n = 0; n < 5000 && onset + n < length; ++n)
+        x[onset + n] += float(strength * std::exp(-0.0018 * double(n)) * noise.normal());
+    }
+    for (float& sample : x) sample += float(0.02 * noise.normal());
+    const ChainResult result = run_chain(x, {});
+    CAPTURE(seed);
+    CHECK(result.drilling_found);
+    CHECK(result.machines.size() == 1);
+    CHECK(f_measure(result.clicks.P, P) > 0.97);
+    CHECK(result.clicks.mean_gap_samples == doctest::Approx(5854).epsilon(0.03));
+  }
+}
+
 TEST_CASE("amplitudes are in the units of the recording") {
   const Case c = clip(109, 12, 2);
   ClickTrain quiet = run_chain(c.mix, {}).clicks;
