@@ -96,7 +96,7 @@ ClickTrain fit_clicks(const Eigen::ArrayXd& y, const Candidates& candidates, con
     return train_of(clicks, envelope, T_0, y.size());
   }
 
-  return fit_finely(y, T_0, std::move(envelope), std::move(clicks), others);
+  return fit_finely(y, T_0, envelope, std::move(clicks), others);
 }
 
 }  // namespace rigsound::analysis
