@@ -13,8 +13,8 @@ using namespace rigsound;
 
 namespace {
 
-/// Notes of a log of these lines, all read, but for the first: how many frames there were.
-std::vector<std::string> can_notes(const std::string& lines, bool fd) {
+/// Notes of a log of these lines, all read.
+std::vector<std::string> all_can_notes(const std::string& lines, bool fd) {
   const test::TemporaryFolder folder;
   can::SignalRoute feed;
   feed.target = {Signal::kFeedPositionM};
@@ -30,6 +30,12 @@ std::vector<std::string> can_notes(const std::string& lines, bool fd) {
   std::vector<std::string> texts;
   for (const log::LogNote& note : log.notes()) texts.push_back(note.text);
   REQUIRE(!texts.empty());
+  return texts;
+}
+
+/// But for the first: how many frames there were.
+std::vector<std::string> can_notes(const std::string& lines, bool fd) {
+  std::vector<std::string> texts = all_can_notes(lines, fd);
   texts.erase(texts.begin());
   return texts;
 }
@@ -50,4 +56,10 @@ TEST_CASE("Lines that are no frame, error frames and CAN FD frames that the rig 
   CHECK(can_notes(good + "(1.200000) can0 20000004#0000000000000000\n", false) == Texts{"1 error frames"});
   CHECK(can_notes(good + "(1.200000) can0 123##105\n(1.300000) can0 123##106\n", false) ==
         Texts{"2 CAN FD frames of the rig's messages were not taken: fd = true?"});
+}
+
+TEST_CASE("A frame is used when one of its signals is taken") {
+  const std::string taken = "(1.000000) can0 123#03\n(1.500000) can0 123#04\n";
+  const std::string foreign = "(2.000000) can0 124#05\n", out_of_range = "(3.000000) can0 123#FF\n";
+  CHECK(all_can_notes(taken + foreign + out_of_range, false).front() == "4 frames in 2.0 s, 2 used");
 }

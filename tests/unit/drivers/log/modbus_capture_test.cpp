@@ -86,7 +86,8 @@ TEST_CASE("A capture plays onto the board at its own times") {
                  modbus::route(Signal::kPercussion, Table::kCoil, 1)};
   ModbusLog log(LogFile(file.path), {link}, {});
   SignalBoard board;
-  log.read_until(0, board);
+  CHECK(log.read_until(0, board));
+  CHECK_FALSE(log.read_until(1.4, board));
   CHECK(board.entry({Signal::kFeedPressureBar}).value == doctest::Approx(85.5));
   CHECK(board.entry({Signal::kPercussion}).validity == Validity::kNeverSeen);
   CHECK(*log.next_s() == doctest::Approx(1.5));

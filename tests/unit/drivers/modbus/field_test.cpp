@@ -53,6 +53,7 @@ TEST_CASE("A device with holes is asked around them, and says so once") {
   const std::uint64_t answered = count(client, "frames_used");
   await([&] { return count(client, "frames_used") > answered + 20; });
   CHECK(told.notices() <= 4);  // two splits, the one register that is not there, once each
+  CHECK(told.last_text() == "holding 108 = 40109 (1): Illegal data address");  // one unit needs no name
   CHECK(told.downs() == 0);
 }
 
@@ -196,4 +197,13 @@ TEST_CASE("A probe reads each signal by itself, or says why it cannot be read") 
   CHECK(found[1].words.empty());
   CHECK(found[1].problem == "Illegal data address");
   CHECK(found[2].words == std::vector<std::uint16_t>{2});
+}
+
+TEST_CASE("A probe keeps its connection to a device that keeps it, and asks for each signal once") {
+  OddDevice device({false, false, {{100, 90}, {106, 2}}, {}, {}});
+  probe(asking(device, 1,
+               {holding(Signal::kFeedPressureBar, 100), holding(Signal::kRock, 103),
+                holding(Signal::kRodCount, 106)}));
+  CHECK(device.connections() == 1);
+  CHECK(device.requests(1) == 3);
 }
