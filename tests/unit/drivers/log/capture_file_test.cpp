@@ -216,3 +216,17 @@ TEST_CASE("pcap of SocketCAN: a remote request is a classic frame's, CAN FD has 
   CHECK_FALSE(capture.next(record));
   CHECK(capture.counts().other == 1);
 }
+
+TEST_CASE("pcap of all interfaces: a CAN frame has its length and data, behind the head of the capture") {
+  const Octets frame = octets(0x123, 4, true) + Octets{3, 0, 0, 0} + Octets{11, 22, 33};
+  const Octets head = Octets(14, 0) + octets(0x000C, 2, true);  // ETH_P_CAN
+  const test::TemporaryFolder folder;
+  const LogFile file(folder.write("capture", test::text_of(pcap_head(0xa1b2c3d4, false, DLT_LINUX_SLL) +
+                                                           pcap_record(1, 0, head + frame))));
+  CanCapture capture(file);
+  CanRecord record;
+  REQUIRE(capture.next(record));
+  CHECK(record.frame.id == 0x123);
+  REQUIRE(record.frame.size == 3);
+  CHECK(Octets(record.frame.data.begin(), record.frame.data.begin() + 3) == Octets{11, 22, 33});
+}
