@@ -46,6 +46,16 @@ void write_said(const fs::path& file) {
   writer.flush();
 }
 
+modbus::ModbusOptions recorded_device(const char* host, Signal signal) {
+  modbus::ModbusOptions options;
+  options.role = modbus::Role::kClient;
+  options.host = host;
+  options.port = 502;
+  options.address = std::string(host) + ":502";
+  options.routes = {modbus::route(signal, Table::kHolding, 0)};
+  return options;
+}
+
 TcpPacket segment(const std::vector<std::uint8_t>& bytes, std::uint32_t sequence) {
   TcpPacket p;
   p.sequence = sequence;
@@ -109,22 +119,37 @@ TEST_CASE("Two recorded devices with the same unit stay apart") {
     }
     writer.flush();
   }
-  const auto link = [](const char* host, Signal signal) {
-    modbus::ModbusOptions options;
-    options.role = modbus::Role::kClient;
-    options.host = host;
-    options.port = 502;
-    options.address = std::string(host) + ":502";
-    options.routes = {modbus::route(signal, Table::kHolding, 0)};
-    return options;
-  };
   ModbusLog log(LogFile(file.path),
-                {link("10.0.0.1", Signal::kFeedPressureBar), link("10.0.0.2", Signal::kRotationPressureBar)},
+                {recorded_device("10.0.0.1", Signal::kFeedPressureBar),
+                 recorded_device("10.0.0.2", Signal::kRotationPressureBar)},
                 {});
   SignalBoard board;
   log.read_until(10, board);
   CHECK(board.entry({Signal::kFeedPressureBar}).value == 12);
   CHECK(board.entry({Signal::kRotationPressureBar}).value == 22);
+  CHECK_THROWS_AS(ModbusLog(LogFile(file.path), {recorded_device("10.0.0.3", Signal::kFeedPressureBar)}, {}),
+                  InputError);
+}
+
+TEST_CASE("A device of the rig that a capture of one other does not hold is named") {
+  const OwnFile file;
+  {
+    ModbusCaptureWriter writer(file.path);
+    writer.write(0, {"10.0.0.1", 502}, {1, Table::kHolding, false, 0, {10}});
+    writer.flush();
+  }
+  ModbusLog log(LogFile(file.path),
+                {recorded_device("10.0.0.1", Signal::kFeedPressureBar),
+                 recorded_device("10.0.0.2", Signal::kRotationPressureBar)},
+                {});
+  SignalBoard board;
+  log.read_until(10, board);
+  CHECK(board.entry({Signal::kFeedPressureBar}).value == 10);
+  CHECK(board.entry({Signal::kRotationPressureBar}).validity == Validity::kNeverSeen);
+  const std::vector<LogNote> notes = log.notes();
+  CHECK(std::any_of(notes.begin(), notes.end(), [](const LogNote& note) {
+    return note.text == "holds nothing of 10.0.0.2:502, it has 10.0.0.1:502";
+  }));
 }
 
 TEST_CASE("Streams take repeated, overlapping and lost segments as TCP does") {
