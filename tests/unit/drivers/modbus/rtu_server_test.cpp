@@ -72,6 +72,8 @@ TEST_CASE("Other units' frames, broken checksums and refused values change nothi
   line.hear(kWrite85.size());
   await([&] { return line.told.total() == 1; });
   CHECK(count(*line.server, "requests_refused") == 1);
+  await([&] { return count(*line.server, "frames_used") == 1; });
+  CHECK(count(*line.server, "frames_seen") == 3);  // used, refused and bad
 }
 
 TEST_CASE("A broadcast is obeyed and never answered, refused or not") {
