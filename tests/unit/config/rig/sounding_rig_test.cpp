@@ -12,12 +12,7 @@ using namespace rigsound;
 namespace {
 
 config::SoundSetParts parts_with_steel() {
-  config::SoundSetParts parts;
-  parts.banks.push_back({test::example_bank("a"), {}});
-  for (int s = 0; s < kSituationCount; ++s) {
-    config::BankEntry& entry = parts.index.banks.emplace_back();
-    entry.name = "a", entry.situation = static_cast<Situation>(s);
-  }
+  config::SoundSetParts parts = test::one_bank_set("a");
   parts.tools.resize(2), parts.strings.resize(2);
   parts.tools[0].name = "hex25", parts.tools[1].name = "hex22";
   parts.strings[0].name = "rods38", parts.strings[1].name = "rods45";

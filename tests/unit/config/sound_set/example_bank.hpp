@@ -1,10 +1,11 @@
-// A bank with known clicks: damped sines of one length each.
+// A bank with known clicks: damped sines of one length each. And a set of nothing else.
 #pragma once
 
 #include <cmath>
 #include <string>
 
 #include "rigsound/click_bank.hpp"
+#include "rigsound/config/sound_set_parts.hpp"
 
 namespace rigsound::test {
 
@@ -41,6 +42,23 @@ inline ClickBank example_bank(const std::string& name, double rate = 48000, int 
   for (int i = 0; i < clicks; ++i)
     bank.clicks.push_back(damped_sine(900 + 200 * i, 0.005, rate, static_cast<int>(0.03 * rate) + i));
   return bank;
+}
+
+/// An index in which one bank sounds in every situation.
+inline config::SoundSetIndex five_situations(const std::string& bank) {
+  config::SoundSetIndex index;
+  for (int s = 0; s < kSituationCount; ++s) {
+    config::BankEntry& entry = index.banks.emplace_back();
+    entry.name = bank, entry.situation = static_cast<Situation>(s);
+  }
+  return index;
+}
+
+inline config::SoundSetParts one_bank_set(const std::string& name) {
+  config::SoundSetParts parts;
+  parts.index = five_situations(name);
+  parts.banks.push_back({example_bank(name), {}});
+  return parts;
 }
 
 }  // namespace rigsound::test

@@ -19,11 +19,7 @@ constexpr std::size_t kSizeAt = 16, kDigestAt = 24, kBodyAt = 56;  // as packed_
 
 config::PackedSet one_bank() {
   config::PackedSet set;
-  set.parts.banks.push_back({test::example_bank("a"), {}});
-  for (int s = 0; s < kSituationCount; ++s) {
-    config::BankEntry& entry = set.parts.index.banks.emplace_back();
-    entry.name = "a", entry.situation = static_cast<Situation>(s);
-  }
+  set.parts = test::one_bank_set("a");
   return set;
 }
 

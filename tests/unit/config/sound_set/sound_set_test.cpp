@@ -16,21 +16,6 @@
 using namespace rigsound;
 using namespace rigsound::test;
 
-namespace {
-
-config::SoundSetIndex five_situations(const std::string& bank) {
-  config::SoundSetIndex index;
-  for (int s = 0; s < kSituationCount; ++s) {
-    config::BankEntry entry;
-    entry.name = bank;
-    entry.situation = static_cast<Situation>(s);
-    index.banks.push_back(entry);
-  }
-  return index;
-}
-
-}  // namespace
-
 TEST_CASE("a merged index keeps comments and hand edits and adds only what is new") {
   TemporaryFolder set;
   config::merge_index(set.path, five_situations("a"));

@@ -56,6 +56,11 @@ modbus::ModbusOptions recorded_device(const char* host, Signal signal) {
   return options;
 }
 
+std::vector<modbus::ModbusOptions> two_devices() {
+  return {recorded_device("10.0.0.1", Signal::kFeedPressureBar),
+          recorded_device("10.0.0.2", Signal::kRotationPressureBar)};
+}
+
 TcpPacket segment(const std::vector<std::uint8_t>& bytes, std::uint32_t sequence) {
   TcpPacket p;
   p.sequence = sequence;
@@ -119,10 +124,7 @@ TEST_CASE("Two recorded devices with the same unit stay apart") {
     }
     writer.flush();
   }
-  ModbusLog log(LogFile(file.path),
-                {recorded_device("10.0.0.1", Signal::kFeedPressureBar),
-                 recorded_device("10.0.0.2", Signal::kRotationPressureBar)},
-                {});
+  ModbusLog log(LogFile(file.path), two_devices(), {});
   SignalBoard board;
   log.read_until(10, board);
   CHECK(board.entry({Signal::kFeedPressureBar}).value == 12);
@@ -138,10 +140,7 @@ TEST_CASE("A device of the rig that a capture of one other does not hold is name
     writer.write(0, {"10.0.0.1", 502}, {1, Table::kHolding, false, 0, {10}});
     writer.flush();
   }
-  ModbusLog log(LogFile(file.path),
-                {recorded_device("10.0.0.1", Signal::kFeedPressureBar),
-                 recorded_device("10.0.0.2", Signal::kRotationPressureBar)},
-                {});
+  ModbusLog log(LogFile(file.path), two_devices(), {});
   SignalBoard board;
   log.read_until(10, board);
   CHECK(board.entry({Signal::kFeedPressureBar}).value == 10);
