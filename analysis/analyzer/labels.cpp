@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <set>
@@ -13,6 +12,7 @@
 #include "rigsound/config/sound_set_index.hpp"
 #include "rigsound/file/input_file.hpp"
 #include "rigsound/machine/input_error.hpp"
+#include "rigsound/number_of.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -36,12 +36,11 @@ struct Place {
 constexpr Range kLabelTimes{0, 1e6, "s"}, kLabelRods = Range{1, 20}.whole(), kLabelSpeeds{1, 4000, "r/min"};
 
 double number(const Place& place, std::string_view key, std::string_view text, const Range& range) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+  const auto value = number_of<double>(text);
+  if (!value || !std::isfinite(*value))
     place.complain(key, fmt::format("'{}' is no number, expected {}", text, range.text()));
-  if (!range.holds(value)) place.complain(key, range.problem(value));
-  return value;
+  if (!range.holds(*value)) place.complain(key, range.problem(*value));
+  return *value;
 }
 
 void set_key(const Place& place, const std::string& word, Label& label) {

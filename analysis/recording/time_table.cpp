@@ -1,7 +1,6 @@
 #include "rigsound/analysis/time_table.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <string>
@@ -9,6 +8,7 @@
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/file/input_file.hpp"
 #include "rigsound/machine/input_error.hpp"
+#include "rigsound/number_of.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -48,12 +48,11 @@ TimeTable read_time_table(const std::filesystem::path& file, std::string_view co
     if (line.empty() || line == "\r") continue;
     const std::vector<std::string> row = cells(line);
     const auto value = [&](std::size_t at) {
-      double x = NAN;
       const std::string text = at < row.size() ? row[at] : "";
-      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
-      if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(x))
+      const auto x = number_of<double>(text);
+      if (!x || !std::isfinite(*x))
         throw InputError(input.name(), number, heading[at], "'" + text + "' is no number");
-      return x;
+      return *x;
     };
     table.time_s.push_back(value(time_at)), table.value.push_back(value(value_at));
     if (table.time_s.size() > 1 && table.time_s.back() < table.time_s[table.time_s.size() - 2])

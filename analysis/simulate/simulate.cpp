@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 
 #include "rigsound/analysis/rate.hpp"
 #include "rigsound/analysis/wave_file.hpp"
 #include "rigsound/file/make_folders.hpp"
 #include "rigsound/machine/input_error.hpp"
+#include "rigsound/number_of.hpp"
 #include "simulate/diesel_files.hpp"
 #include "simulate/drillbench_clip.hpp"
 #include "simulate/feed_ramp_files.hpp"
@@ -35,11 +35,10 @@ std::vector<double> scaled(std::vector<double> x, double gain) {
 }
 
 double number(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+  const auto value = number_of<double>(text);
+  if (!value || !std::isfinite(*value))
     throw InputError("--snr", "'" + text + "' is not a ratio, expected decibels such as -6,0,6,12");
-  return value;
+  return *value;
 }
 
 /// Under `folder`/`place`, its truth under `folder`/truth.

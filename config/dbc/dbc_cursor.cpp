@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "rigsound/machine/input_error.hpp"
-#include "text/number_of.hpp"
+#include "rigsound/number_of.hpp"
 #include "text/utf8.hpp"
 
 namespace rigsound::config {

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "rigsound/machine/input_error.hpp"
-#include "text/number_of.hpp"
+#include "rigsound/number_of.hpp"
 
 namespace rigsound::config {
 namespace {

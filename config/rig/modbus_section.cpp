@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "rigsound/number_of.hpp"
+
 #include "rig/allow.hpp"
 #include "rig/sections.hpp"
 #include "rigsound/file/file_kind.hpp"
 #include "rigsound/modbus/exchange.hpp"
 #include "rigsound/socket/host_port.hpp"
-#include "text/number_of.hpp"
 #include "toml/toml_reader.hpp"
 
 namespace rigsound::config {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "text/number_of.hpp"
+#include "rigsound/number_of.hpp"
 
 namespace rigsound::config {
 namespace {

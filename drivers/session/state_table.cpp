@@ -1,7 +1,6 @@
 #include "rigsound/session/state_table.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <optional>
@@ -10,6 +9,7 @@
 #include "rigsound/machine/fields.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "rigsound/machine/limits.hpp"
+#include "rigsound/number_of.hpp"
 #include "rigsound/session/state_rows.hpp"
 
 namespace rigsound::session {
@@ -27,10 +27,8 @@ struct Line {
 };
 
 std::optional<double> number_in(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
+  const auto value = number_of<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 Signal signal_of(const std::string& name, const Line& line) {

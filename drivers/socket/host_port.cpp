@@ -1,16 +1,15 @@
 #include "rigsound/socket/host_port.hpp"
 
 #include <algorithm>
-#include <charconv>
+
+#include "rigsound/number_of.hpp"
 
 namespace rigsound {
 namespace {
 
 std::optional<int> port_number(std::string_view text) {
-  int port = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
-  return whole && port >= 1 && port <= 65535 ? std::optional<int>(port) : std::nullopt;
+  const auto port = number_of<int>(text);
+  return port && *port >= 1 && *port <= 65535 ? port : std::nullopt;
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "analyze_job.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <memory>
 #include <sstream>
@@ -11,6 +10,7 @@
 #include "rigsound/device_error.hpp"
 #include "rigsound/file/atomic_file.hpp"
 #include "rigsound/file/atomic_folder.hpp"
+#include "rigsound/number_of.hpp"
 
 namespace rigsound::studio {
 namespace fs = std::filesystem;
@@ -39,11 +39,9 @@ std::vector<Label> chosen_labels(const fs::path& track, const Json& body) {
 
 /// A number where the word is one.
 Json value_of(const std::string& word) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   if (word.empty()) return nullptr;
-  return error == std::errc() && end == word.data() + word.size() && std::isfinite(number) ? Json(number)
-                                                                                           : Json(word);
+  const auto number = number_of<double>(word);
+  return number && std::isfinite(*number) ? Json(*number) : Json(word);
 }
 
 /// "NAME key=value key=value": what analyze prints of a bank. `source` comes last and may hold spaces.

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "rigsound/analysis/diesel_spectrum.hpp"
@@ -7,6 +6,7 @@
 #include "rigsound/analysis/recording.hpp"
 #include "rigsound/config/background_files.hpp"
 #include "rigsound/machine/signal.hpp"
+#include "rigsound/number_of.hpp"
 #include "routes.hpp"
 #include "sound_set_json.hpp"
 
@@ -75,11 +75,9 @@ Answer modelled(const Workplace& place, const Request& request) {
 }
 
 std::size_t point_index(const std::string& word, std::size_t count) {
-  std::size_t index = count;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
-  if (error != std::errc() || end != word.data() + word.size() || index >= count)
-    throw ApiError(404, "there is no such point");
-  return index;
+  const auto index = number_of<std::size_t>(word);
+  if (!index || *index >= count) throw ApiError(404, "there is no such point");
+  return *index;
 }
 
 Answer recorded(const Workplace& place, const Request& request) {

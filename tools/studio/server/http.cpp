@@ -1,21 +1,18 @@
 #include "http.hpp"
 
-#include <charconv>
 #include <cmath>
 
 #include "rigsound/config/json_depth.hpp"
+#include "rigsound/number_of.hpp"
 
 namespace rigsound::studio {
 
 double Request::number(const std::string& name, double otherwise) const {
   const auto found = query.find(name);
   if (found == query.end()) return otherwise;
-  const std::string& text = found->second;
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    throw ApiError(400, name + ": is no number");
-  return value;
+  const auto value = number_of<double>(found->second);
+  if (!value || !std::isfinite(*value)) throw ApiError(400, name + ": is no number");
+  return *value;
 }
 
 Json Request::object() const {

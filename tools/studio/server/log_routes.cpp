@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <sstream>
 
 #include "packed_rig.hpp"
 #include "rigsound/file/input_file.hpp"
 #include "rigsound/machine/signal.hpp"
+#include "rigsound/number_of.hpp"
 #include "routes.hpp"
 #include "verb_output.hpp"
 
@@ -32,10 +32,10 @@ struct Row {
 /// Nothing for a line that is no row.
 std::optional<Row> row_of(const std::string& line) {
   const std::size_t first = line.find(','), second = line.find(',', first + 1);
+  const auto time_s = number_of<double>(std::string_view(line).substr(0, first));
+  if (second == std::string::npos || !time_s) return std::nullopt;
   Row row;
-  const auto [end, error] =
-      std::from_chars(line.data(), line.data() + std::min(first, line.size()), row.time_s);
-  if (second == std::string::npos || error != std::errc() || end != line.data() + first) return std::nullopt;
+  row.time_s = *time_s;
   row.signal = line.substr(first + 1, second - first - 1);
   row.value = line.substr(second + 1);
   if (!row.value.empty() && row.value.back() == '\r') row.value.pop_back();
@@ -47,9 +47,7 @@ std::optional<Row> row_of(const std::string& line) {
 }
 
 Json value_json(const std::string& name, const std::string& text) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error == std::errc() && end == text.data() + text.size()) return number;
+  if (const auto number = number_of<double>(text)) return *number;
   const std::optional<Signal> signal = signal_by_name(name);
   const std::optional<double> value = signal ? value_of_word(*signal, text) : std::nullopt;
   return value ? Json(*value) : Json();

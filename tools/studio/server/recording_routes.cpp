@@ -1,8 +1,8 @@
-#include <charconv>
 #include <cmath>
 
 #include "rigsound/analysis/sound_reader.hpp"
 #include "rigsound/analysis/wave_file.hpp"
+#include "rigsound/number_of.hpp"
 #include "routes.hpp"
 
 namespace rigsound::studio {
@@ -12,11 +12,9 @@ constexpr double kMostSoundSeconds = 60;
 constexpr std::string_view kPng = ".png";
 
 long whole_number(const std::string& text, const char* name) {
-  long value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size())
-    throw ApiError(404, std::string(name) + ": expected a whole number");
-  return value;
+  const auto value = number_of<long>(text);
+  if (!value) throw ApiError(404, std::string(name) + ": expected a whole number");
+  return *value;
 }
 
 analysis::TilePlace place_of(const std::string& level, const std::string& tile) {

@@ -1,11 +1,11 @@
 // A text that is a number and nothing else.
-#include "text/number_of.hpp"
+#include "rigsound/number_of.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cstdint>
 
-using rigsound::config::number_of;
+using rigsound::number_of;
 
 TEST_CASE("a number is read when it is all of a text") {
   CHECK(number_of<int>("12") == 12);

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace rigsound::config {
+namespace rigsound {
 
 /// The number that `text` is from its first letter to its last, as std::from_chars reads it; `base` is a
 /// whole number's. Nothing when a letter is left over, or when a `Number` cannot hold it. Thread: OFF.
@@ -18,4 +18,4 @@ std::optional<Number> number_of(std::string_view text, Base... base) {
   return error == std::errc() && end == behind ? std::optional<Number>(x) : std::nullopt;
 }
 
-}  // namespace rigsound::config
+}  // namespace rigsound
