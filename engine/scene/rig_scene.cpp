@@ -1,6 +1,7 @@
 #include "scene/rig_scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "rigsound/dsp/elementary.hpp"
 
@@ -43,8 +44,10 @@ void RigScene::advance() noexcept {
   diesel_.load = dsp::approached(diesel_.load, load_, load_smoothing_);
   diesel_.feed = dsp::approached(diesel_.feed, feed_, load_smoothing_);
   gain_.go_to(dsp::approached(gain_.to, wanted_gain_, gain_smoothing_));
-  // An exponential never arrives; a muted rig has to be silent, not nearly so.
-  if (wanted_gain_ == 0 && gain_.to < 1e-6) gain_.to = 0;
+  // An exponential never arrives; a muted rig has to be silent, not nearly so, and one at full level needs no
+  // scaling by what rounding leaves of the way.
+  if (std::fabs(gain_.to - wanted_gain_) < (wanted_gain_ == 0 ? 1e-6 : 1e-14 * wanted_gain_))
+    gain_.to = wanted_gain_;
 }
 
 }  // namespace rigsound::scene

@@ -7,6 +7,7 @@
 #include "rigsound/machine/state_guard.hpp"
 #include "scene/bank_choice.hpp"
 #include "scene/boom_scene.hpp"
+#include "scene/rig_scene.hpp"
 
 using namespace rigsound;
 
@@ -126,4 +127,18 @@ TEST_CASE("nonsense from outside is brought into range") {
   CHECK(safe.boom[0].feed_pressure_bar == 300);
   CHECK(safe.boom[0].controls.decay_factor == 0.25f);
   CHECK(safe.boom[0].controls.mean_frequency_hz == 0);
+}
+
+TEST_CASE("the output level arrives where it is asked to, within a second, and rests there") {
+  scene::RigScene rig(EngineOptions{});
+  for (const float gain : {1.0F, 0.25F, 0.0F, 0.7F}) {
+    CAPTURE(gain);
+    MachineState state;
+    state.output_gain = gain;
+    rig.set(state, 1, 0);
+    rig.advance();
+    CHECK_FALSE(rig.gain().rests_at(static_cast<double>(gain)));
+    for (int n = 0; n < 48000 / kChunk; ++n) rig.advance();
+    CHECK(rig.gain().rests_at(static_cast<double>(gain)));
+  }
 }

@@ -24,11 +24,11 @@ struct Ramp {
 /// x[n], numbers or Lanes, times the ramp. Thread: RT.
 template <class Sample>
 void scale(const Ramp& ramp, Sample* x, int count) noexcept {
-  const double step = (ramp.to - ramp.from) / count;
+  const double from = ramp.from, step = (ramp.to - from) / count;
   if (step == 0)
-    for (int n = 0; n < count; ++n) x[n] *= ramp.from;
+    for (int n = 0; n < count; ++n) x[n] *= from;
   else
-    for (int n = 0; n < count; ++n) x[n] *= ramp.from + step * (n + 1);
+    for (int n = 0; n < count; ++n) x[n] *= from + step * (n + 1);
 }
 
 /// y[n] += ramp times x[n], numbers of either size, `count` even. Thread: RT.
