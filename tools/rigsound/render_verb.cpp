@@ -71,9 +71,10 @@ void render(config::Rig& rig, audio::StateSource& states, const Share& share, au
   Engine engine = config::build_engine(rig, std::move(sounds));
   require_apart({options.out}, config::files_of(rig));
   const audio::BlockRange part = audio::blocks_of(options.from_s, options.to_s, rig.engine);
-  Sha256 digest;
+  std::optional<Sha256> digest;
   audio::FileSink::Tap hash;
-  if (!options.no_hash) hash = [&](const void* bytes, std::size_t size) { digest.update(bytes, size); };
+  if (!options.no_hash)
+    hash = [&digest = digest.emplace()](const void* bytes, std::size_t size) { digest.update(bytes, size); };
   const audio::FileSink::Format format{
       {static_cast<int>(rig.engine.sample_rate), rig.engine.channels, samples}, rig.engine.block};
   audio::FileSink file(options.out, format, hash);
@@ -96,7 +97,7 @@ void render(config::Rig& rig, audio::StateSource& states, const Share& share, au
   tell_clipped(options.out, file.clipped());
   std::FILE* const to = figures_beside({options.out});
   FigureRow figures;
-  if (!options.no_hash) figures.add("sha256", digest.hex());
+  if (digest) figures.add("sha256", digest->hex());
   figures.add("realtime_factor", length_s / spent.count(), "{:.2f}");
   if (options.json)
     print_document(figures.json(), to);
