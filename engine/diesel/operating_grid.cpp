@@ -2,20 +2,19 @@
 
 #include <algorithm>
 
+#include "diesel/order_tables.hpp"
 #include "diesel/source_point.hpp"
 #include "diesel/wavelet_tree.hpp"
 #include "rigsound/dsp/elementary.hpp"
-#include "rigsound/dsp/fft.hpp"
 #include "rigsound/dsp/lanes.hpp"
 
 namespace rigsound::diesel {
 namespace {
 
 constexpr int kPerOctave = 24;
-constexpr double kBelow = 0.5;                      // of the slowest point: there the grid begins
-constexpr double kTop_rpm = 4000;                   // to the top, so that no order ever folds over
-constexpr int kLoadSteps = 3;                       // between two loads of the model
-constexpr double kFadeFrom = 0.42, kFadeTo = 0.46;  // of the sampling rate: orders fade out before they fold
+constexpr double kBelow = 0.5;     // of the slowest point: there the grid begins
+constexpr double kTop_rpm = 4000;  // to the top, so that no order ever folds over
+constexpr int kLoadSteps = 3;      // between two loads of the model
 
 std::vector<double> load_axis(const DieselModel& model) {
   std::vector<double> known;
@@ -36,23 +35,6 @@ std::vector<float> exponentials(const std::vector<double>& logarithms) {
   return y;
 }
 
-std::vector<float> order_table(const DieselModel& model, const SourcePoint& source, double f,
-                               double sample_rate, const dsp::Fft<double>& fft) {
-  std::vector<double> re(static_cast<std::size_t>(model.angle_samples)), im(re.size());
-  const std::size_t last = std::min(source.level.size(), re.size() / 2 - 1);
-  for (std::size_t k = 1; k <= last; ++k) {
-    const double f_k = static_cast<double>(k) * f;
-    const double fade = std::clamp((kFadeTo - f_k / sample_rate) / (kFadeTo - kFadeFrom), 0.0, 1.0);
-    if (fade == 0) break;
-    const double body = body_db(model.body, f_k) * (dsp::kLn10 / 20);
-    const double amplitude = fade * dsp::exp(source.level[k - 1] + body);
-    re[k] = amplitude * dsp::cos(source.phase[k - 1]);
-    im[k] = amplitude * dsp::sin(source.phase[k - 1]);
-  }
-  fft.inverse(re.data(), im.data());
-  return {re.begin(), re.end()};
-}
-
 /// Of every channel with the body on it; channel q lies at order (q + 1/2) / 2.
 std::vector<float> low_deviations(const DieselModel& model, const SourcePoint& source, double rpm) {
   const auto channels = static_cast<std::size_t>(model.low_channels),
@@ -69,10 +51,9 @@ std::vector<float> low_deviations(const DieselModel& model, const SourcePoint& s
   return lo;
 }
 
-OperatingState computed(const DieselModel& model, const SourcePoint& source, double rpm, double sample_rate,
-                        const dsp::Fft<double>& fft) {
+/// All but the table.
+OperatingState spreads_of(const DieselModel& model, const SourcePoint& source, double rpm) {
   OperatingState state;
-  state.table = order_table(model, source, cycles_per_second(rpm), sample_rate, fft);
   state.hi = exponentials(source.hi);
   state.lo = low_deviations(model, source, rpm);
   state.s.assign(source.s.begin(), source.s.end());
@@ -87,13 +68,20 @@ OperatingGrid::OperatingGrid(const DieselModel& model, double sample_rate) : loa
   for (const DieselPoint& p : model.points) slowest = std::min(slowest, p.rpm);
   rpm_min_ = kBelow * slowest;
   speeds_ = 1 + static_cast<int>(std::ceil(kPerOctave * dsp::log(kTop_rpm / rpm_min_) / dsp::kLn2));
-  const dsp::Fft<double> fft(model.angle_samples);
   const SourceMap sources(model);
+  OrderTables tables(model, sample_rate);
   for (const double load : loads_)
     for (int i = 0; i < speeds_; ++i) {
       const double rpm = rpm_min_ * dsp::exp(dsp::kLn2 * i / kPerOctave);
-      states_.push_back(computed(model, sources.at(rpm, load), rpm, sample_rate, fft));
+      const SourcePoint source = sources.at(rpm, load);
+      tables.put(states_.size() % 2 == 1, source, cycles_per_second(rpm));
+      states_.push_back(spreads_of(model, source, rpm));
+      if (states_.size() % 2 == 0) tables.take(states_[states_.size() - 2].table, states_.back().table);
     }
+  if (states_.size() % 2 == 1) {
+    std::vector<float> nothing;
+    tables.take(states_.back().table, nothing);
+  }
 }
 
 GridPlace OperatingGrid::place(double rpm, double load) const noexcept {
