@@ -2,6 +2,7 @@
 """usage_test.py RIGSOUND RIGSOUNDD: help and wrong usage of every verb, as a user meets them."""
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -52,6 +53,25 @@ class Help(unittest.TestCase):
             details = run(verb, '--help').stdout.split('Example: ')[0].split('\n\n')[-2]
             if not details.startswith(('Options', '[Option')):
                 self.assertLessEqual(max(map(len, details.splitlines())), 100, verb)
+
+
+class Studio(unittest.TestCase):
+    def test_its_web_server_costs_other_verbs_nothing(self):
+        needed = subprocess.run(['ldd', RIGSOUND], capture_output=True, text=True, check=True).stdout
+        self.assertNotRegex(needed, 'httplib|libssl')
+        own = subprocess.run(['ldd', RIGSOUND + '-studio'], capture_output=True, text=True, check=True).stdout
+        self.assertRegex(own, 'httplib')
+
+    def test_its_program_knows_its_name(self):
+        for words in (('studio', '--help'), ('--help',)):
+            self.assertEqual(run(*words, program=RIGSOUND + '-studio').stdout, run('studio', '--help').stdout)
+
+    def test_without_its_program_it_says_what_to_install(self):
+        with tempfile.TemporaryDirectory() as folder:
+            alone = shutil.copy(RIGSOUND, folder)
+            result = run('studio', folder, program=alone)
+            self.assertEqual((result.returncode, result.stdout), (3, ''))
+            self.assertEqual(result.stderr, f'{folder}/rigsound-studio: is not there; install it beside rigsound\n')
 
 
 class WrongUsage(unittest.TestCase):

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "child_process.hpp"
+#include "neighbour.hpp"
 #include "rigsound/analysis/labels.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/file/atomic_file.hpp"
@@ -115,7 +116,7 @@ Jobs::Work analyze_work(Workplace& place, const Json& body) {
   const fs::path track = place.recordings.labels_of(recording);
   std::error_code none;
   const auto errand = std::make_shared<Errand>();
-  errand->words = {fs::read_symlink("/proc/self/exe").string(),
+  errand->words = {tools::neighbour("rigsound").string(),
                    "analyze",
                    recording.file.string(),
                    "--out",

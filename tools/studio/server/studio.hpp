@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "workplace.hpp"
+#include "studio_options.hpp"
 
 namespace rigsound::studio {
 

@@ -1,15 +1,14 @@
 #include "verb_output.hpp"
 
-#include <filesystem>
-
 #include "child_process.hpp"
 #include "http.hpp"
+#include "neighbour.hpp"
 
 namespace rigsound::studio {
 
 std::string verb_output(const std::vector<std::string>& words) {
   constexpr std::size_t kMostBytes = 64 << 20;
-  std::vector<std::string> command = {std::filesystem::read_symlink("/proc/self/exe").string()};
+  std::vector<std::string> command = {tools::neighbour("rigsound").string()};
   command.insert(command.end(), words.begin(), words.end());
   ChildProcess child(command);
   std::string text;

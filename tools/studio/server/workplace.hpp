@@ -1,7 +1,6 @@
 // What all routes share.
 #pragma once
 
-#include <filesystem>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -11,20 +10,10 @@
 #include "jobs.hpp"
 #include "listening_trials.hpp"
 #include "recordings.hpp"
+#include "studio_options.hpp"
 #include "tile_store.hpp"
 
 namespace rigsound::studio {
-
-struct StudioOptions {
-  std::filesystem::path sound_set;   ///< folder; made by the first analysis
-  std::filesystem::path recordings;  ///< folder; empty: none
-  std::filesystem::path rig;         ///< rig file; empty: none
-  std::string daemon;                ///< control socket; empty: none
-  std::filesystem::path pages;       ///< folder of the page; empty: where it is installed or built
-  int port = 0;                      ///< 0: any that is free
-  int cores = 1;                     ///< jobs at once
-  std::string version;               ///< of the program
-};
 
 struct Workplace {
   explicit Workplace(const StudioOptions& its_options)
