@@ -11,7 +11,7 @@ namespace rigsound::analysis {
 namespace {
 
 constexpr double kShortestPlain = 0.6, kLongestPlain = 1.5;  // of the median: what counts as one plain gap
-constexpr double kMostlyDouble = 0.4;       // second strikes a first one, from which few gaps are plain
+constexpr double kMostlyDouble = 0.4;       // second strikes a first one: few gaps between all are plain
 constexpr double kWholeSlack = 0.25;        // of the median: two parts of one gap add up to it within this
 constexpr double kSteadyDeviation = 0.002;  // sigma_T / T_0 below which only rounding is left to correlate
 constexpr double kMaxCorrelation = 0.9;
@@ -92,25 +92,7 @@ double share(const Series<Kind>& kinds, Kind wanted) {
   return hits / count;
 }
 
-/// Those of the schedule of a machine most of whose strikes are double: no gap of it is plain.
-bool set_double_statistics(const Series<int>& onsets, ClickBank& bank) {
-  Series<int> first;
-  double all = 0, scheduled = 0;
-  for (const auto& P : onsets) {
-    first.push_back(first_strikes(P));
-    all += static_cast<double>(P.size()), scheduled += static_cast<double>(first.back().size());
-  }
-  const double doubled = all / scheduled - 1;
-  if (doubled < kMostlyDouble) return false;
-  set_gap_statistics(first, bank);
-  bank.double_share = std::min(doubled, 1 - bank.miss_share);
-  return true;
-}
-
-}  // namespace
-
-void set_gap_statistics(const Series<int>& onsets, ClickBank& bank) {
-  if (set_double_statistics(onsets, bank)) return;
+void set_from(const Series<int>& onsets, ClickBank& bank) {
   const Series<double> gaps = gaps_of(onsets);
   const double T = median_of(gaps);
   Series<Kind> kinds;
@@ -123,6 +105,32 @@ void set_gap_statistics(const Series<int>& onsets, ClickBank& bank) {
   const double missing = shortfall(gaps, kinds, m.mean), scheduled = 1 - missing;
   bank.miss_share = share(kinds, Kind::kMissed) / scheduled;
   bank.double_share = std::min(missing / scheduled, 1 - bank.miss_share);
+}
+
+/// The onsets without second strikes, and how many of these there are for each.
+struct Schedule {
+  Series<int> first;
+  double doubled = 0;
+};
+
+Schedule schedule_of(const Series<int>& onsets) {
+  Schedule schedule;
+  double all = 0, scheduled = 0;
+  for (const auto& P : onsets) {
+    schedule.first.push_back(first_strikes(P));
+    all += static_cast<double>(P.size()), scheduled += static_cast<double>(schedule.first.back().size());
+  }
+  schedule.doubled = all / scheduled - 1;
+  return schedule;
+}
+
+}  // namespace
+
+void set_gap_statistics(const Series<int>& onsets, ClickBank& bank) {
+  const Schedule schedule = schedule_of(onsets);
+  if (!(schedule.doubled >= kMostlyDouble)) return set_from(onsets, bank);
+  set_from(schedule.first, bank);
+  bank.double_share = std::min(schedule.doubled, 1 - bank.miss_share);
 }
 
 void set_plain_gap_statistics(const Series<int>& onsets, ClickBank& bank) {
