@@ -20,12 +20,6 @@ constexpr double kNegligiblePower = 0.01;
 constexpr int kAmplitudeSteps = 5;
 constexpr double kNever = 1e8;
 
-Eigen::ArrayXd variance(const EnvelopePower& shape, const ModelClicks& clicks, long length) {
-  Eigen::ArrayXd v;
-  model_variance(TrainPower(shape, clicks.onset, length), clicks, v);
-  return v;
-}
-
 struct Requirement {
   double gain;   ///< nats
   double power;  ///< of the median
@@ -46,7 +40,7 @@ double evidence_to_keep(const ModelClicks& clicks, size_t i, double T_0, double 
   if (std::min(before, after) < kDoubleBelow * T_0)
     return power < kAmongOthers.power * median_power ? kNever : kAmongOthers.gain;
   const bool in_a_gap = before + after > 1.5 * T_0 && clicks.onset[i] >= 0;
-  return in_a_gap ? 0.5 : 6.0;
+  return in_a_gap ? 0.5 : kEvidenceToKeep;
 }
 
 Requirement evidence_to_add(const std::vector<long>& onset, long at, double T_0) {
@@ -112,7 +106,7 @@ void remove_weak_clicks(const Eigen::ArrayXd& q, const EnvelopePower& shape, dou
   const Eigen::ArrayXd a2 = sampled_power(shape);
   const double median_power = upper_median(std::vector<double>{clicks.power.begin(), clicks.power.end()});
   while (clicks.onset.size() > kFewestFitted) {
-    const Eigen::ArrayXd v = variance(shape, clicks, q.size()), clipped = q.min(kOutlierClip * v);
+    const Eigen::ArrayXd v = model_variance(shape, clicks, q.size()), clipped = q.min(kOutlierClip * v);
     double worst = 0;
     size_t weakest = clicks.onset.size();
     for (size_t i = 0; i < clicks.onset.size(); ++i) {
@@ -131,14 +125,14 @@ void add_missed_clicks(const Eigen::ArrayXd& q, const EnvelopePower& shape, doub
                        const std::vector<long>& candidates, ModelClicks& clicks) {
   const Eigen::ArrayXd a2 = sampled_power(shape);
   const double median_power = upper_median(std::vector<double>{clicks.power.begin(), clicks.power.end()});
-  Eigen::ArrayXd v = variance(shape, clicks, q.size());
+  Eigen::ArrayXd v = model_variance(shape, clicks, q.size());
   for (const long at : candidates) {
     if (static_cast<double>(distance_to_nearest(clicks.onset, at)) < 0.30 * T_0) continue;
     const Requirement needed = evidence_to_add(clicks.onset, at, T_0);
     const Addition addition = best_addition(q, v, a2, at, block);
     if (addition.gain <= needed.gain || addition.power <= needed.power * median_power) continue;
     insert_click(clicks, addition);
-    v = variance(shape, clicks, q.size());
+    v = model_variance(shape, clicks, q.size());
   }
 }
 

@@ -5,6 +5,8 @@
 
 namespace rigsound::analysis {
 
+constexpr double kEvidenceToKeep = 6;  ///< nats that a click is worth, usually
+
 /// Rise of the negative log-likelihood if click i were taken out and the others stayed, nats at `block`
 /// samples a block. Thread: OFF.
 double removal_cost(const Eigen::ArrayXd& q, const Eigen::ArrayXd& v, const Eigen::ArrayXd& a2, long onset,
@@ -20,9 +22,9 @@ struct Addition {
 Addition best_addition(const Eigen::ArrayXd& q, const Eigen::ArrayXd& v, const Eigen::ArrayXd& a2,
                        long block_at, int block);
 
-/// Takes out clicks, weakest evidence first, that are worth less than 6 nats (0.5 where a gap of over 1.5 T_0
-/// would be left), lie closer than 0.28 T_0 to a stronger one, or hold under 1 % of the median power. T_0 in
-/// blocks. Thread: OFF.
+/// Takes out clicks, weakest evidence first, that are worth less than kEvidenceToKeep (0.5 where a gap of
+/// over 1.5 T_0 would be left), lie closer than 0.28 T_0 to a stronger one, or hold under 1 % of the median
+/// power. T_0 in blocks. Thread: OFF.
 void remove_weak_clicks(const Eigen::ArrayXd& q, const EnvelopePower& shape, double T_0, int block,
                         ModelClicks& clicks);
 

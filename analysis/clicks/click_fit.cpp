@@ -8,7 +8,6 @@
 #include "clicks/envelope_fit.hpp"
 #include "clicks/gaps.hpp"
 #include "clicks/shift_search.hpp"
-#include "numeric/quantile.hpp"
 
 namespace rigsound::analysis {
 namespace {
@@ -30,20 +29,15 @@ ModelClicks start(const Eigen::ArrayXd& q, const Selection& selection, double T_
   clicks.onset.assign(selection.block.begin(), selection.block.end());
   rescale(clicks, kCandidateBlock, kCoarse);
   clicks.onset.insert(clicks.onset.begin(), -std::lround(T_0 / kCoarse));
-  clicks.power =
-      Eigen::ArrayXd::Constant(static_cast<long>(clicks.onset.size()), 3 * std::max(q.mean(), 1e-3));
-  clicks.floor = std::max(1e-4, 0.5 * quantile(std::vector<double>(q.begin(), q.end()), 0.1));
+  set_first_powers(q, clicks);
   return clicks;
 }
 
 void coarse_rounds(const Eigen::ArrayXd& q, const std::vector<long>& candidates, int rounds, double& T_0,
                    ClickEnvelope& envelope, ModelClicks& clicks) {
   for (int round = 0; round < rounds; ++round) {
-    fit_envelope(q, T_0, {kCoarse, round == 0 ? 60 : 40, 3}, envelope, clicks);
-    const EnvelopePower shape = envelope_power(envelope, kCoarse);
     const long reach = static_cast<long>((round == 0 ? 0.10 : 0.05) * T_0 / kCoarse) + 1;
-    shift_clicks(q, shape, {reach, 1}, clicks);
-    update_powers(q, TrainPower(shape, clicks.onset, q.size()), 4, kOutlierClip, clicks);
+    const EnvelopePower shape = fit_coarsely(q, T_0, round == 0 ? 60 : 40, reach, envelope, clicks);
     remove_weak_clicks(q, shape, T_0 / kCoarse, kCoarse, clicks);
     if (round + 1 < rounds) add_missed_clicks(q, shape, T_0 / kCoarse, kCoarse, candidates, clicks);
     if (clicks.onset.size() > 3) T_0 = median_gap(clicks.onset) * kCoarse;
@@ -63,12 +57,25 @@ ClickTrain train_of(const ModelClicks& clicks, const ClickEnvelope& envelope, do
   return train;
 }
 
+Eigen::ArrayXd in_blocks(const Eigen::ArrayXd& others, int block) {
+  return others.size() > 0 ? block_mean(others, block) : others;
+}
+
 }  // namespace
+
+EnvelopePower fit_coarsely(const Eigen::ArrayXd& q, double T_0, int iterations, long reach,
+                           ClickEnvelope& envelope, ModelClicks& clicks) {
+  fit_envelope(q, T_0, {kCoarse, iterations, 3}, envelope, clicks);
+  const EnvelopePower shape = envelope_power(envelope, kCoarse);
+  shift_clicks(q, shape, {reach, 1}, clicks);
+  update_powers(q, TrainPower(shape, clicks.onset, q.size()), 4, kOutlierClip, clicks);
+  return shape;
+}
 
 ClickTrain fit_finely(const Eigen::ArrayXd& y, double T_0, ClickEnvelope envelope, ModelClicks clicks,
                       const Eigen::ArrayXd& others) {
   rescale(clicks, kCoarse, kFine);
-  clicks.others = others.size() > 0 ? block_mean(others, kFine) : others;
+  clicks.others = in_blocks(others, kFine);
   fit_envelope(block_power(y, kFine), T_0, {kFine, 40, 2}, envelope, clicks);
   rescale(clicks, kFine, 1);
   clicks.others = others;
@@ -81,12 +88,11 @@ ClickTrain fit_finely(const Eigen::ArrayXd& y, double T_0, ClickEnvelope envelop
 
 ClickTrain fit_clicks(const Eigen::ArrayXd& y, const Candidates& candidates, const Selection& selection,
                       FitEffort effort, const Eigen::ArrayXd& others) {
-  const auto others_in = [&](int block) { return others.size() > 0 ? block_mean(others, block) : others; };
   const Eigen::ArrayXd q = block_power(y, kCoarse);
   std::vector<long> candidate_blocks;
   for (const int block : candidates.block) candidate_blocks.push_back(block * (kCandidateBlock / kCoarse));
   double T_0 = selection.mean_gap_blocks * kCandidateBlock;
-  ModelClicks clicks = start(q, selection, T_0, others_in(kCoarse));
+  ModelClicks clicks = start(q, selection, T_0, in_blocks(others, kCoarse));
   const Eigen::ArrayXd own = others.size() > 0 ? (q - clicks.others).max(0).eval() : q;
   ClickEnvelope envelope = first_envelope(own, {clicks.onset.begin() + 1, clicks.onset.end()}, T_0, kCoarse);
   const bool rough = effort == FitEffort::kRough;

@@ -25,6 +25,11 @@ enum class FitEffort {
 ClickTrain fit_clicks(const Eigen::ArrayXd& y, const Candidates& candidates, const Selection& selection,
                       FitEffort effort, const Eigen::ArrayXd& others = {});
 
+/// Part of a round on blocks of kCoarse samples: the envelope in so many iterations, shifts of up to `reach`
+/// blocks, powers. The power of the envelope. Thread: OFF.
+EnvelopePower fit_coarsely(const Eigen::ArrayXd& q, double T_0, int iterations, long reach,
+                           ClickEnvelope& envelope, ModelClicks& clicks);
+
 /// The last part of fit_clicks(): from clicks on blocks of kCoarse and their envelope to full rate. Thread:
 /// OFF.
 ClickTrain fit_finely(const Eigen::ArrayXd& y, double T_0, ClickEnvelope envelope, ModelClicks clicks,

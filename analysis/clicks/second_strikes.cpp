@@ -23,7 +23,6 @@ constexpr double kConstant = 0.6;                                      // of the
 constexpr double kShareStruckTwice = 0.2;
 constexpr std::size_t kFewestTwice = 6;
 constexpr double kStrong = 0.25;  // of the power of the clicks they follow
-constexpr double kEvidence = 6;   // nats, as of a click
 constexpr long kReach = 12;       // blocks of kCoarse samples: the statistic tells the time to 2 ms
 
 /// A candidate some time after the last click before it.
@@ -100,12 +99,8 @@ ModelClicks fitted_with(const std::vector<long>& second, const Eigen::ArrayXd& q
   for (const int P : train.P) clicks.onset.push_back(P / kCoarse);
   clicks.onset.insert(clicks.onset.end(), second.begin(), second.end());
   std::sort(clicks.onset.begin(), clicks.onset.end());
-  clicks.power = Eigen::ArrayXd::Constant(static_cast<long>(clicks.onset.size()), 3 * q.mean());
-  clicks.floor = std::max(1e-4, 0.5 * quantile(std::vector<double>(q.begin(), q.end()), 0.1));
-  fit_envelope(q, train.mean_gap_samples, {kCoarse, 60, 3}, envelope, clicks);
-  const EnvelopePower shape = envelope_power(envelope, kCoarse);
-  shift_clicks(q, shape, {kReach, 1}, clicks);
-  update_powers(q, TrainPower(shape, clicks.onset, q.size()), 4, kOutlierClip, clicks);
+  set_first_powers(q, clicks);
+  fit_coarsely(q, train.mean_gap_samples, 60, kReach, envelope, clicks);
   return clicks;
 }
 
@@ -130,12 +125,11 @@ double strength(const ModelClicks& clicks, const std::vector<bool>& second) {
 void remove_doubtful(const Eigen::ArrayXd& q, const EnvelopePower& shape, const std::vector<bool>& second,
                      ModelClicks& clicks) {
   const Eigen::ArrayXd a2 = sampled_power(shape);
-  Eigen::ArrayXd v;
-  model_variance(TrainPower(shape, clicks.onset, q.size()), clicks, v);
+  const Eigen::ArrayXd v = model_variance(shape, clicks, q.size());
   const Eigen::ArrayXd clipped = q.min(kOutlierClip * v);
   for (std::size_t i = second.size(); i-- > 0;)
     if (second[i] && removal_cost(clipped, v, a2, clicks.onset[i], clicks.power(static_cast<long>(i)),
-                                  kCoarse) < kEvidence)
+                                  kCoarse) < kEvidenceToKeep)
       remove_click(clicks, i);
 }
 

@@ -86,8 +86,7 @@ Eigen::ArrayXd shift_costs(const Eigen::ArrayXd& q, const Eigen::ArrayXd& v, con
 void shift_clicks(const Eigen::ArrayXd& q, const EnvelopePower& shape, const ShiftRange& range,
                   ModelClicks& clicks) {
   const Eigen::ArrayXd a2 = sampled_power(shape);
-  Eigen::ArrayXd v;
-  model_variance(TrainPower(shape, clicks.onset, q.size()), clicks, v);
+  Eigen::ArrayXd v = model_variance(shape, clicks, q.size());
   const Eigen::ArrayXd clipped = q.min(kOutlierClip * v);
   std::vector<long> order(clicks.onset.size());
   std::iota(order.begin(), order.end(), 0L);

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "kernels/click_kernels.hpp"
+#include "numeric/quantile.hpp"
 
 namespace rigsound::analysis {
 
@@ -20,9 +21,21 @@ double model_cost(const Eigen::ArrayXd& q, const Eigen::ArrayXd& v, int block) {
   return 0.5 * block * (sums.first + sums.second);
 }
 
+void set_first_powers(const Eigen::ArrayXd& q, ModelClicks& clicks) {
+  clicks.power =
+      Eigen::ArrayXd::Constant(static_cast<long>(clicks.onset.size()), 3 * std::max(q.mean(), 1e-3));
+  clicks.floor = std::max(1e-4, 0.5 * quantile(std::vector<double>(q.begin(), q.end()), 0.1));
+}
+
 void model_variance(const TrainPower& train, const ModelClicks& clicks, Eigen::ArrayXd& v) {
   train.spread(clicks.power, clicks.floor, v);
   if (clicks.others.size() > 0) v += clicks.others;
+}
+
+Eigen::ArrayXd model_variance(const EnvelopePower& shape, const ModelClicks& clicks, long length) {
+  Eigen::ArrayXd v;
+  model_variance(TrainPower(shape, clicks.onset, length), clicks, v);
+  return v;
 }
 
 void update_powers(const Eigen::ArrayXd& q, const TrainPower& train, int sweeps, double clip,

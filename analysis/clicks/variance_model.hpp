@@ -20,8 +20,14 @@ struct ModelClicks {
   Eigen::ArrayXd others;    ///< variance of what else is known to sound, a block; empty: nothing
 };
 
+/// Where powers and floor begin: all clicks alike, and a floor out of the pauses. Thread: OFF.
+void set_first_powers(const Eigen::ArrayXd& q, ModelClicks& clicks);
+
 /// v_n: of the clicks, the floor and the others. Thread: OFF.
 void model_variance(const TrainPower& train, const ModelClicks& clicks, Eigen::ArrayXd& v);
+
+/// The same of clicks of one shape, over `length` blocks. Thread: OFF.
+Eigen::ArrayXd model_variance(const EnvelopePower& shape, const ModelClicks& clicks, long length);
 
 /// sum of ln w + q / w: twice the negative log-likelihood per sample of a block. Thread: OFF.
 double divergence(const Eigen::Ref<const Eigen::ArrayXd>& q, const Eigen::Ref<const Eigen::ArrayXd>& w);
