@@ -8,6 +8,19 @@
 #endif
 
 namespace rigsound::tool {
+namespace {
+
+/// `bar`: the transversal and the longitudinal sample after their cascades, from what the delay lines give
+/// out.
+template <class Bar>
+void run_in_sequence(BarState& state, const BarDrive& drive, double* out, Bar bar) noexcept {
+  Glue glue(state, drive);
+  Taps taps(state);
+  for (int i = 0; i < drive.frames; ++i, taps.advance()) out[i] = glue.close(i, bar(taps), taps.now);
+  glue.keep(state, drive.frames);
+}
+
+}  // namespace
 
 LaneWidth widest_lanes() noexcept {
 #ifdef RIGSOUND_AVX2
@@ -44,30 +57,23 @@ void run_sections_in_sequence(BarState& state, const BarDrive& drive, double* ou
     }
     return u;
   };
-  Glue glue(state, drive);
-  Taps taps(state);
-  for (int i = 0; i < drive.frames; ++i, taps.advance()) {
+  run_in_sequence(state, drive, out, [&](const Taps& taps) {
     const double v_T = cascade(state.seats[kTransversal], (*taps.T)[kTransversal]);
-    const double v_L = cascade(state.seats[kLongitudinal], (*taps.L)[kLongitudinal]);
-    out[i] = glue.close(i, V2{v_T, v_L}, taps.now);
-  }
-  glue.keep(state, drive.frames);
+    return V2{v_T, cascade(state.seats[kLongitudinal], (*taps.L)[kLongitudinal])};
+  });
 }
 
 void run_paper_in_sequence(BarState& state, const BarDrive& drive, double* out) noexcept {
-  Glue glue(state, drive);
-  Taps taps(state);
   double* y_1 = state.paper.y[0];
-  for (int i = 0; i < drive.frames; ++i, taps.advance()) {
+  run_in_sequence(state, drive, out, [&](const Taps& taps) {
     double u = taps.T[0][kTransversal], u_1 = taps.T[-1][kTransversal];
     for (int j = 0; j < state.seats[kTransversal].vectors; ++j) {
       const double y = state.paper.lambda * (u - y_1[j]) + u_1;
       u_1 = y_1[j];
       y_1[j] = u = y;
     }
-    out[i] = glue.close(i, V2{u, (*taps.L)[kLongitudinal]}, taps.now);
-  }
-  glue.keep(state, drive.frames);
+    return V2{u, (*taps.L)[kLongitudinal]};
+  });
 }
 
 }  // namespace rigsound::tool
