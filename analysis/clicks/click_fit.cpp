@@ -66,7 +66,7 @@ Eigen::ArrayXd in_blocks(const Eigen::ArrayXd& others, int block) {
 EnvelopePower fit_coarsely(const Eigen::ArrayXd& q, double T_0, int iterations, long reach,
                            ClickEnvelope& envelope, ModelClicks& clicks) {
   fit_envelope(q, T_0, {kCoarse, iterations, 3}, envelope, clicks);
-  const EnvelopePower shape = envelope_power(envelope, kCoarse);
+  EnvelopePower shape = envelope_power(envelope, kCoarse);
   shift_clicks(q, shape, {reach, 1}, clicks);
   update_powers(q, TrainPower(shape, clicks.onset, q.size()), 4, kOutlierClip, clicks);
   return shape;

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 fs::path neighbour(const std::string& name) {
   std::error_code error;
   const fs::path own = fs::read_symlink("/proc/self/exe", error);
-  const fs::path path = own.parent_path() / name;
+  fs::path path = own.parent_path() / name;
   if (!fs::exists(path, error))
     throw DeviceError(path.string() + ": is not there; install it beside " + own.filename().string());
   return path;
