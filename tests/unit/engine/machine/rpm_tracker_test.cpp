@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <initializer_list>
+#include <utility>
 
 using namespace rigsound;
 
@@ -77,6 +78,16 @@ TEST_CASE("what no flywheel does is taken as it is, without a slope, and so is t
     jumped.message(1, 1000 * jump);
     CHECK(jumped.at(1).rpm == 1000 * jump);
     CHECK(jumped.at(1).slope == 0);
+  }
+  // 12 % of the higher of the two speeds, whichever came first.
+  for (const auto& [followed, taken] : {std::pair{1135.0, 1138.0}, {881.0, 879.0}}) {
+    for (const double rpm : {followed, taken}) {
+      RpmTracker tracked;
+      for (int i = 0; i < 50; ++i) tracked.message(0.02 * i, 1000);
+      tracked.message(1, rpm);
+      CAPTURE(rpm);
+      CHECK((tracked.at(1).slope == 0) == (rpm == taken));
+    }
   }
   RpmTracker stopped;
   stopped.message(0, 0);
