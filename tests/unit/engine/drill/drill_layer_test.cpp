@@ -168,3 +168,30 @@ TEST_CASE("an unusable bank is refused by name when the player is built") {
   bank.clicks.clear();
   CHECK_THROWS_WITH_AS(BankPlayer(bank, 1), doctest::Contains("no clicks"), std::invalid_argument);
 }
+
+TEST_CASE(
+    "the layer says that it sounds as long as a click does, and takes no voice where nothing is heard") {
+  const ClickBank bank = flat_bank(0, 0.002);
+  drill::DrillLayer layer(1, 0, 48000);
+  drill::DrillInput input;
+  input.slots[0].banks.add(bank, 1);
+  input.slots[0].gain = {1, 1};
+  const Impact blow{10, 1, 0};
+  double out[kChunk];
+  const auto chunks_heard = [&] {
+    int chunks = 0;
+    while (layer.process(input, {&blow, chunks == 0 ? 1 : 0}, out)) ++chunks;
+    return chunks;
+  };
+  CHECK_FALSE(layer.process(input, {}, out));
+  CHECK(chunks_heard() == (10 + 2000 + kChunk - 1) / kChunk);
+  CHECK_FALSE(layer.process(input, {}, out));
+  input.slots[0].gain = {0, 0};
+  CHECK(chunks_heard() == 0);
+  input.slots[0].gain = {1, 0};  // it fades in this very chunk: what begins in it is never heard
+  CHECK(chunks_heard() == 0);
+  input.slots[0].gain = {0, 1};
+  CHECK(chunks_heard() > 0);
+  input.slots[0].banks = {};
+  CHECK(chunks_heard() == 0);
+}
