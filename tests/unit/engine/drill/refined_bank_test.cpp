@@ -107,3 +107,20 @@ TEST_CASE("a click without energy stays silent, a bank that cannot be played is 
   none.clicks.clear();
   CHECK_THROWS_AS(refined_bank(none, DrillControls{}), InvalidField);
 }
+
+TEST_CASE("a click is reshaped to its last sample, whatever its length") {
+  for (const std::size_t length : {1UL, 63UL, 64UL, 65UL, 129UL, 200UL}) {
+    ClickBank even = bank();
+    even.attack_samples = 0, even.decay = 1e-3;
+    even.clicks = {std::vector<float>(length, 0.1F)};
+    DrillControls controls;
+    controls.decay_factor = 2;
+    const ClickBank after = refined_bank(even, controls);
+    CAPTURE(length);
+    REQUIRE(after.clicks[0].size() == length);
+    // e^(-2 n / 1000) instead of e^(-n / 1000)
+    const double first = static_cast<double>(after.clicks[0][0]),
+                 last = static_cast<double>(after.clicks[0][length - 1]);
+    CHECK(last / first == doctest::Approx(std::exp(-1e-3 * static_cast<double>(length - 1))).epsilon(1e-5));
+  }
+}
