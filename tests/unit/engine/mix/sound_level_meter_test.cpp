@@ -94,3 +94,20 @@ TEST_CASE("fast and slow follow with 125 ms and 1 s, and fall 34.7 and 4.3 dB a 
   CHECK(meter.level().slow == 0);
   CHECK(meter.level().c_peak == 0);
 }
+
+TEST_CASE("a meter at rest hears a sound wherever it begins in a chunk, on either channel") {
+  for (const int channels : {1, 2})
+    for (int channel = 0; channel < channels; ++channel)
+      for (const int frame : {0, 1, kChunk / 2 - 1, kChunk / 2, kChunk - 1}) {
+        SoundLevelMeter meter(48000, channels);
+        std::vector<float> block(static_cast<std::size_t>(kChunk * channels), 0.0F);
+        meter.process(block.data(), kChunk);
+        CHECK(meter.level().c_peak == 0);
+        block[static_cast<std::size_t>(frame * channels + channel)] = 0.5F;
+        meter.process(block.data(), kChunk);
+        CAPTURE(channels);
+        CAPTURE(frame);
+        CHECK(meter.level().c_peak > 0.1);
+        CHECK(meter.level().mean > 0);
+      }
+}
