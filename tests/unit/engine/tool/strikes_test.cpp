@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "tool/contact.hpp"
 
@@ -68,6 +69,58 @@ TEST_CASE("bounces follow one another by 5 to 10 % of the period, each weaker th
   CHECK(highest <= 0.10 + 1 / period);
   CHECK(highest > 0.095);
   CHECK(amplitudes_in_range == 300);
+}
+
+TEST_CASE("a bounce has 0.3 to 0.7 of the amplitude of what was before it, and all of that range comes") {
+  Strike strike;
+  strike.slope_variation = 0;
+  Strikes strikes(strike, 48000, 5, 0);
+  double lowest = 1, highest = 0;
+  for (std::uint64_t blow = 0; blow < 300; ++blow) {
+    std::vector<double> x(125 * kChunk);
+    std::vector<std::size_t> at;
+    for (std::size_t chunk = 0; chunk < 125; ++chunk) {
+      const Impact impact{0, 1, blow};
+      strikes.process({&impact, chunk == 0}, 4000, &x[chunk * kChunk]);
+      for (const Touch& touch : strikes) at.push_back(chunk * kChunk + static_cast<std::size_t>(touch.at));
+    }
+    // 10.9 samples wide: between the samples next to its top the pulse falls by 2 % at most.
+    const auto top = [&](std::size_t i) {
+      return *std::max_element(x.begin() + static_cast<std::ptrdiff_t>(at[i]),
+                               x.begin() + static_cast<std::ptrdiff_t>(at[i]) + 11);
+    };
+    REQUIRE(at.size() == 4);
+    for (std::size_t i = 1; i < at.size(); ++i)
+      lowest = std::min(lowest, top(i) / top(i - 1)), highest = std::max(highest, top(i) / top(i - 1));
+  }
+  CHECK(lowest > 0.3 * 0.97);
+  CHECK(lowest < 0.31);
+  CHECK(highest < 0.7 * 1.03);
+  CHECK(highest > 0.69);
+}
+
+TEST_CASE("touches come in order, and of two at one sample the later blow's is what is felt") {
+  Strike strike = plain_strike();
+  strike.slope_variation = 0.3;
+  const auto slope_of = [&](std::uint64_t index) {
+    Strikes alone(strike, 48000, 1, 0);
+    const Impact blow{9, 1, index};
+    double x[kChunk];
+    alone.process({&blow, 1}, 2400, x);
+    return alone.begin()->slope;
+  };
+  Strikes strikes(strike, 48000, 1, 0);
+  const Impact blows[] = {{9, 1, 0}, {30.5, 1, 1}, {3, 1, 2}, {8.5, 1, 3}};
+  double x[kChunk];
+  strikes.process({blows, 4}, 2400, x);
+  REQUIRE(strikes.end() - strikes.begin() == 3);
+  const Touch* const touch = strikes.begin();
+  CHECK(touch[0].at == 3);
+  CHECK(touch[0].slope == slope_of(2));
+  CHECK(touch[1].at == 9);
+  CHECK(touch[1].slope == slope_of(3));
+  CHECK(touch[2].at == 31);
+  CHECK(touch[2].slope == slope_of(1));
 }
 
 TEST_CASE("k_T falls from where it is at each touch and rises after, never faster than its slopes") {
