@@ -55,6 +55,19 @@ TEST_CASE("random bars are tuned to within a third of a cent, within the order a
     }
 }
 
+TEST_CASE("a bar so short that it stretches in one mode only is tuned all the same") {
+  ToolModel model;
+  model.bar = {0.25, 0.015};
+  int stretching = 0;
+  for (const TunedMode& mode : tuned_modes(model, design_tool(model, 48000))) {
+    CHECK(std::fabs(mode.error_cents) <= 1);
+    if (mode.family == "transversal") continue;
+    ++stretching;
+    CHECK(mode.target_hz == doctest::Approx(5200 / (2 * 0.25)).epsilon(0.001));
+  }
+  CHECK(stretching == 1);
+}
+
 TEST_CASE("two wanted decay times are met within 0.1 %, and the modes stay where they were") {
   struct Case {
     Bar bar;
