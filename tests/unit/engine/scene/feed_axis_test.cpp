@@ -63,6 +63,18 @@ TEST_CASE("between two banks an impact draws each as often as the feed is near i
   CHECK(over == 3000);
 }
 
+TEST_CASE("what a bank is played louder counts in the trend of the level, as what it was recorded louder") {
+  Three three;
+  const double before = three.axis().place(151, 1, 0).trend.ln_level;
+  three.sounds.banks[0].gain_db = -6;  // normal
+  const double quieter = three.axis().place(151, 1, 0).trend.ln_level;
+  three.sounds.banks[2].gain_db = 6;  // overfeed
+  const double both = three.axis().place(151, 1, 0).trend.ln_level;
+  const double step = 6 * std::log(10) / 20 / 60;  // nepers a bar
+  CHECK((quieter - before) / step == doctest::Approx(1).epsilon(0.01));
+  CHECK((both - quieter) / step == doctest::Approx(1).epsilon(0.01));
+}
+
 TEST_CASE("beyond the outermost banks the trend of the outermost pair goes on, and saturates smoothly") {
   const Three three;
   const scene::FeedAxis axis = three.axis();
