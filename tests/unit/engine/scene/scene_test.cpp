@@ -112,6 +112,26 @@ TEST_CASE("open rattling starts with its burst and settles") {
   CHECK(gain_after(0.5) == doctest::Approx(1));
 }
 
+TEST_CASE("of the rod what is not in the hole is exposed, half of it where no bus says how far it is in") {
+  SoundSet sounds = tools::formula_sounds();
+  sounds.strings = {StringModel{}};
+  EngineOptions options = tools::full_options();
+  options.booms[0].drill_string = 0;
+  scene::BoomScene boom(options, sounds, 0);
+  const double rod_m = sounds.strings[0].rod_length_m;
+  const auto exposed_m = [&](double in_hole_m) {
+    BoomState state = fed(90);
+    state.feed_position_m = static_cast<float>(in_hole_m);
+    boom.set(state);
+    boom.advance();
+    return boom.rods().exposed_m;
+  };
+  CHECK(exposed_m(-1) == doctest::Approx(rod_m / 2));
+  CHECK(exposed_m(0) == doctest::Approx(rod_m));
+  CHECK(exposed_m(3) == doctest::Approx(rod_m - 3));
+  CHECK(exposed_m(rod_m + 0.5) == 0);
+}
+
 TEST_CASE("nonsense from outside is brought into range") {
   MachineState state;
   state.engine_rpm = std::nanf("");
