@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "bench/formula_sounds.hpp"
 #include "rigsound/engine.hpp"
@@ -104,6 +106,34 @@ TEST_CASE("laws of the sound set replace the slopes of the outermost pair") {
   CHECK(axis.place(160, 1, 0).trend.ln_decay == doctest::Approx(0.02).scale(0).epsilon(0.01));
   CHECK(axis.place(160, 1, 0).trend.ln_gap == 0);
   CHECK(axis.place(30, 1, 0).trend.ln_decay == doctest::Approx(-0.002 * 7.5).scale(0).epsilon(0.01));
+}
+
+TEST_CASE("of several laws the last that holds for the rods and the rock is followed") {
+  Three three;
+  three.sounds.rocks = {{"soft", 5e7}, {"hard", 5e8}};
+  const std::vector<BankUse> uses = three.sounds.uses;
+  for (BankUse use : uses) use.rods = 6, three.sounds.uses.push_back(use);
+  for (std::size_t i = 0; i < uses.size(); ++i) three.sounds.uses[i].rods = 1;
+  const auto law = [](int rods, int rock, double ln_decay) {
+    FeedLaws laws;
+    laws.rods = rods, laws.rock = rock, laws.ln_decay = ln_decay;
+    return laws;
+  };
+  const auto followed = [&](const std::vector<FeedLaws>& laws, int rods, int rock) {
+    three.sounds.laws = laws;
+    return std::lround(1000 * three.axis().place(151, rods, rock).trend.ln_decay);  // 1 bar beyond
+  };
+  const std::vector<FeedLaws> all = {law(0, -1, 0.001), law(6, -1, 0.002), law(0, 1, 0.003),
+                                     law(1, 0, 0.004)};
+  CHECK(followed(all, 1, -1) == 1);
+  CHECK(followed(all, 6, -1) == 2);
+  CHECK(followed(all, 1, 1) == 3);
+  CHECK(followed(all, 6, 1) == 3);
+  CHECK(followed(all, 6, 0) == 2);
+  CHECK(followed(all, 1, 0) == 4);
+  CHECK(followed({law(6, 1, 0.005)}, 6, 1) == 5);
+  for (const auto& [rods, rock] : {std::pair{6, 0}, {1, 1}, {6, -1}, {1, 0}})
+    CHECK(followed({law(6, 1, 0.005)}, rods, rock) == followed({}, rods, rock));
 }
 
 TEST_CASE("clicks of two known decays give their trend, an unknown one gives none") {
