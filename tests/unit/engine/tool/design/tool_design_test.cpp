@@ -127,6 +127,32 @@ TEST_CASE("a decay that only a loop without losses has is refused, the longest t
   CHECK(begins_with(complaint(model), "t60: "));
 }
 
+TEST_CASE("a wish names two frequencies a tenth apart at least, up to 0.41 of the rate") {
+  const auto told = [](double low_hz, double high_hz) {
+    return complaint_after([&](ToolModel& m) { m.transversal.wish = {low_hz, 0.1, high_hz, 0.1}; });
+  };
+  CHECK(told(1000, 1099).find("too close together, expected high_hz at least 1.1 low_hz") !=
+        std::string::npos);
+  CHECK(told(1000, 900).find("too close together") != std::string::npos);
+  CHECK(told(1000, 1101).find("too close together") == std::string::npos);
+  CHECK(told(1000, 19690).find("t60.high_hz: is 19690, expected at most 0.41 of the sample rate, 19680") !=
+        std::string::npos);
+  CHECK(told(1000, 19670).find("t60.high_hz") == std::string::npos);
+}
+
+TEST_CASE("each of a wish's four numbers is needed, and none of them where there is no wish") {
+  for (int missing = 0; missing < 4; ++missing) {
+    double wish[] = {460, 0.5, 5000, 0.1};
+    wish[missing] = 0;
+    CAPTURE(missing);
+    CHECK(begins_with(complaint_after([&](ToolModel& m) {
+                        m.transversal.wish = {wish[0], wish[1], wish[2], wish[3]};
+                      }),
+                      "transversal.t60: is given in part"));
+  }
+  CHECK(complaint_after([](ToolModel& m) { m.transversal.wish = {460, 0, 5000, 0}; }).empty());
+}
+
 TEST_CASE("a design made ahead of time is taken as it is, at its own rate and for its own bar only") {
   ToolModel model;
   ToolDesign ready = design_tool(model, 48000);
