@@ -150,6 +150,20 @@ TEST_CASE("so do loops whose delay line is as short as it may be, or hardly long
     }
 }
 
+TEST_CASE("so do longitudinal loops of more sections than a bar needs") {
+  for (const int sections : {1, 2, 3, 4}) {
+    ToolDesign design = design_tool(model_of({0.5, 0.025}), 48000);
+    Allpass& allpass = design.longitudinal.allpass;
+    allpass = design.transversal.allpass;
+    allpass.sections = sections, allpass.first_orders = 0;
+    design.longitudinal.delay_samples = 20;
+    const auto reference = sequential_response(design.longitudinal, 0.87, 1024);
+    CAPTURE(sections);
+    for (const LaneWidth width : {LaneWidth::kTwo, widest_lanes()})
+      CHECK(impulse_response(design, kLongitudinal, 0.87, 1024, width) == reference);
+  }
+}
+
 TEST_CASE("the paper's sections in vectors give the bits of one after another, at either width") {
   for (const int M : {2, 5, 9, 23, 40, 64})
     for (const int delay : {M, M + 1, M + 2, M + 17}) {
