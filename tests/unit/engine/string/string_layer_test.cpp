@@ -86,6 +86,13 @@ TEST_CASE("without blows no energy is made, whatever stiffness, gap, length and 
   }
 }
 
+TEST_CASE("nor is any by fractions of a sample in a string that loses next to nothing at the shank") {
+  StringModel model = bare_string(1, 3);
+  model.sleeve_impedance = 1.0001;  // reflects nothing to speak of
+  REQUIRE(tune_string(model, 3, kStringRate).has_fractions);
+  CHECK(largest_string_growth(model, 4000, tool::widest_lanes()) <= 1e-13);
+}
+
 TEST_CASE("between its losses at the shank a string keeps its energy, wherever the waves are") {
   for (const int rods : {1, 3}) {
     const StringModel model = bare_string(3.66, rods);
@@ -163,6 +170,40 @@ TEST_CASE("after a change of rods the new string rings as if there had never bee
   const auto sound = struck(changed, blows, [](double t) { return drilling(t < 0.06 ? 1 : 6, 2e8, 0.5); });
   const auto alone = struck(born, {1, 0.30, 100}, [](double) { return drilling(6, 2e8, 0.5); });
   CHECK(after(sound, 0.29, kStringRate) == after(alone, 0.29, kStringRate));
+}
+
+TEST_CASE("rods may change again and again, each time to the string as it should be") {
+  StringLayer changed(plain_string(), kStringRate, 1, 0), born(plain_string(), kStringRate, 1, 0);
+  const auto sound = struck(changed, {1, 0.05, 0.25, 0.56},
+                            [](double t) { return drilling(t < 0.06 || t > 0.31 ? 1 : 6, 2e8, 0.5); });
+  const auto alone = struck(born, {1, 0.55, 100}, [](double) { return drilling(1, 2e8, 0.5); });
+  CHECK(after(sound, 0.54, kStringRate) == after(alone, 0.54, kStringRate));
+}
+
+TEST_CASE("a new string fades in over 20 ms along a smooth step") {
+  StringLayer changed(plain_string(), kStringRate, 1, 0),
+      born(plain_string(3.66, 0.038, 6), kStringRate, 1, 0);
+  const StringInput one = drilling(1, 2e8, 0.5), six = drilling(6, 2e8, 0.5);
+  const Impact blow{5.25, 1, 0};
+  double x[kChunk], y[kChunk], worst = 0, loudest = 0;
+  for (int chunk = 0; chunk < 60; ++chunk) {
+    changed.process(one, {&blow, chunk == 50 ? 1 : 0}, x);
+    born.process(six, {}, y);
+  }
+  // What rings fades out first.
+  do changed.process(six, {}, x), born.process(six, {}, y);
+  while (std::any_of(x, x + kChunk, [](double sample) { return sample != 0; }));
+  for (int chunk = 1; chunk < 25; ++chunk) {
+    changed.process(six, {&blow, chunk == 1 ? 1 : 0}, x);
+    born.process(six, {&blow, chunk == 1 ? 1 : 0}, y);
+    for (int n = 0; n < kChunk; ++n) {
+      const double share = std::min(1.0, (chunk * kChunk + n) / (0.020 * kStringRate));
+      worst = std::max(worst, std::fabs(x[n] - share * share * (3 - 2 * share) * y[n]));
+      loudest = std::max(loudest, std::fabs(y[n]));
+    }
+  }
+  CHECK(loudest > 0);
+  CHECK(worst < 1e-9 * loudest);
 }
 
 TEST_CASE("a breaking rod snaps once, louder than any blow, and both parts ring on in the air") {
