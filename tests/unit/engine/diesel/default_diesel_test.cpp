@@ -71,6 +71,17 @@ TEST_CASE("its slow noise halves its density with every scale from an order, and
   }
 }
 
+TEST_CASE("the middles of channels that lie at one frequency at two speeds are equally noisy") {
+  const DieselModel m = default_diesel();
+  const DieselPoint &slow = m.points[0], &fast = m.points[1];
+  REQUIRE(slow.rpm == 700);
+  REQUIRE(fast.rpm == 1300);
+  for (std::size_t odd = 1; odd < 36;
+       odd += 2)  // (q + 1/2) / 2 orders: 13 odd halves of the one, 7 of the other
+    CHECK(slow.low_variance[(13 * odd - 1) / 2] ==
+          doctest::Approx(fast.low_variance[(7 * odd - 1) / 2]).scale(0).epsilon(1e-5));
+}
+
 TEST_CASE("its hiss bursts with every firing, and grows with the square of the speed") {
   const DieselModel m = default_diesel();
   const std::size_t bands = slot_band_edges(m.slot_samples()).size() - 1;
