@@ -1,13 +1,17 @@
 // The run-time background against its formulas.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "diesel/diesel_layer.hpp"
 #include "diesel/slot_source.hpp"
 #include "diesel/wavelet_tree.hpp"
 #include "engine/allocation_guard.hpp"
+#include "engine/diesel/bare_diesel.hpp"
 #include "engine/diesel/diesel_measures.hpp"
 #include "engine/heard.hpp"
 #include "rigsound/default_diesel.hpp"
@@ -31,24 +35,10 @@ double power(const std::vector<double>& x, std::size_t from = 0) {
   return sum / static_cast<double>(x.size() - from);
 }
 
-/// One flat point: a single order and nothing else unless asked for.
-DieselModel bare(double rpm) {
-  DieselModel m;
-  m.body_filter = {1.0F};
-  DieselPoint p;
-  p.rpm = rpm;
-  p.low_variance.assign(static_cast<std::size_t>((m.low_scales + 1) * m.low_channels), 0.0F);
-  p.slot_variance.assign(static_cast<std::size_t>(m.slots) * (slot_band_edges(m.slot_samples()).size() - 1),
-                         0.0F);
-  p.slot_log_variance.assign(static_cast<std::size_t>(m.slots), 0.0F);
-  m.points = {p};
-  return m;
-}
-
 }  // namespace
 
 TEST_CASE("an order sounds at its frequency and level, whatever the speed") {
-  DieselModel model = bare(1200);
+  DieselModel model = bare_diesel(1200);
   model.points[0].orders.assign(12, {0, 0});
   model.points[0].orders[11] = {0.1F, 0.0F};
   for (const double rpm : {900.0, 1200.0}) {
@@ -65,7 +55,7 @@ TEST_CASE("an order sounds at its frequency and level, whatever the speed") {
 }
 
 TEST_CASE("orders that would fold over fall silent") {
-  DieselModel model = bare(800);
+  DieselModel model = bare_diesel(800);
   model.angle_samples = 8192, model.slots = 128;
   model.points[0].slot_variance.assign(128 * (slot_band_edges(64).size() - 1), 0.0F);
   model.points[0].slot_log_variance.assign(128, 0.0F);
@@ -121,7 +111,7 @@ TEST_CASE("an engine that stands is silent, whatever the pressure") {
 }
 
 TEST_CASE("hydraulics: pump and flow as loud as written, by the pressure to its exponent") {
-  DieselModel model = bare(800);
+  DieselModel model = bare_diesel(800);
   model.hydraulic.pump = {0.02F, 0.01F};
   model.hydraulic.flow = 0.03;
   model.hydraulic.flow_filter = {1.0F, -0.9F};
@@ -133,7 +123,7 @@ TEST_CASE("hydraulics: pump and flow as loud as written, by the pressure to its 
 }
 
 TEST_CASE("the pump strokes at its order of the speed") {
-  DieselModel model = bare(800);
+  DieselModel model = bare_diesel(800);
   model.hydraulic.pump = {0.02F};
   DieselLayer layer({model}, kRate, 1, 800);
   const std::vector<double> x = play(layer, {1200, 0, 1}, 3);
@@ -153,7 +143,7 @@ TEST_CASE("the pump strokes at its order of the speed") {
 }
 
 TEST_CASE("recorded start and stop play once each") {
-  DieselModel model = bare(800);
+  DieselModel model = bare_diesel(800);
   model.start.assign(24000, 0.25F);
   model.stop.assign(12000, -0.125F);
   DieselLayer layer({model}, kRate, 1, 800);
@@ -166,9 +156,34 @@ TEST_CASE("recorded start and stop play once each") {
   CHECK(sum(play(layer, {0, 0, 0}, 3)) == doctest::Approx(-1500));
 }
 
+TEST_CASE("the running engine comes in 0.3 s before the end of a recorded start, and not before") {
+  DieselModel model = bare_diesel(800);
+  model.points[0].orders.assign(12, {0, 0});
+  model.points[0].orders[11] = {0.1F, 0.0F};  // 80 Hz
+  model.start.assign(48000, 0.0F);
+  DieselLayer layer({model}, kRate, 1, 800);
+  const std::vector<double> x = play(layer, {800, 0, 0}, 2);
+  std::size_t begins = 0;
+  while (begins < x.size() && x[begins] == 0) ++begins;
+  CHECK(static_cast<double>(begins) / kRate >= 0.7);
+  CHECK(static_cast<double>(begins) / kRate < 0.8);  // the crank turns after a moment
+  // Gained with 40 ms.
+  const auto amplitude = [&](double from_s) {
+    double most = 0;
+    for (auto n = static_cast<std::size_t>(from_s * kRate);
+         n < static_cast<std::size_t>((from_s + 0.0125) * kRate); ++n)
+      most = std::max(most, std::fabs(x[n]));
+    return most;
+  };
+  const double first_s = static_cast<double>(begins) / kRate;
+  CHECK(amplitude(first_s + 0.0275) ==
+        doctest::Approx(0.1 * (1 - std::exp(-0.04 / 0.04))).scale(0).epsilon(0.1));
+  CHECK(amplitude(first_s + 0.3) == doctest::Approx(0.1).scale(0).epsilon(0.01));
+}
+
 TEST_CASE("a recorded start sounds alike at every rate, without what lies above half of it") {
   const auto energy_s = [](double hz, double rate) {
-    DieselModel model = bare(800);
+    DieselModel model = bare_diesel(800);
     for (int n = 0; n < 24000; ++n)
       model.start.push_back(static_cast<float>(0.25 * std::sin(2 * M_PI * hz * n / model.sample_rate)));
     DieselLayer layer({model}, rate, 1, 800);
@@ -182,7 +197,7 @@ TEST_CASE("a recorded start sounds alike at every rate, without what lies above 
 }
 
 TEST_CASE("a one-shot that is overtaken fades away") {
-  DieselModel model = bare(800);
+  DieselModel model = bare_diesel(800);
   model.start.assign(48000, 0.25F);
   model.stop.assign(48000, -0.125F);
   DieselLayer layer({model}, kRate, 1, 800);
@@ -230,7 +245,7 @@ TEST_CASE("a wavelet tree with equal deviations is white, each scale brings its 
 }
 
 TEST_CASE("slots give the variance they were told, slot by slot") {
-  DieselModel model = bare(1200);
+  DieselModel model = bare_diesel(1200);
   const std::size_t bands = slot_band_edges(model.slot_samples()).size() - 1;
   for (std::size_t l = 0; l < 64; ++l)
     for (std::size_t b = 0; b < bands; ++b)
@@ -249,8 +264,35 @@ TEST_CASE("slots give the variance they were told, slot by slot") {
   CHECK(soft == doctest::Approx(1.0).epsilon(0.03));
 }
 
+TEST_CASE("slots that vary have on average the power they were told, and neighbours vary as they are told") {
+  DieselModel model = bare_diesel(1200);
+  DieselPoint& p = model.points[0];
+  p.slot_variance.assign(p.slot_variance.size(), 1.0F);
+  const auto measured = [&](double log_variance, double correlation) {
+    p.slot_log_variance.assign(64, static_cast<float>(log_variance));
+    p.slot_correlation = correlation;
+    const OperatingGrid grid(model, kRate);
+    SlotSource source(model, kRate, 3);
+    std::vector<double> slot(static_cast<std::size_t>(model.slot_samples()));
+    double mean = 0, square = 0, product = 0, last = 0;
+    constexpr int kFrames = 20000;
+    for (int frame = 0; frame < kFrames; ++frame) {
+      source.produce(grid, grid.place(1200, 0), 10, slot.data());
+      const double now = power(slot);
+      mean += now / kFrames, square += now * now / kFrames, product += now * last / kFrames;
+      last = now;
+    }
+    return std::array<double, 2>{mean, (product - mean * mean) / (square - mean * mean)};
+  };
+  CHECK(measured(0.5, 0)[0] == doctest::Approx(1).epsilon(0.05));
+  CHECK(measured(1, 0)[0] == doctest::Approx(1).epsilon(0.08));
+  // Hops overlap, so that half of what one frame is loud is heard in the next anyway.
+  CHECK(measured(0.5, 0)[1] < 0.6);
+  CHECK(measured(0.5, 0.9)[1] > 0.8);
+}
+
 TEST_CASE("two points join in the order domain: level geometric, phase along the shorter way") {
-  DieselModel model = bare(1000);
+  DieselModel model = bare_diesel(1000);
   model.points[0].orders = {{0.01F, 0.0F}};
   DieselPoint fast = model.points[0];
   fast.rpm = 2000;
@@ -321,7 +363,7 @@ TEST_CASE("a speed extrapolated beyond the signal's range is heard as its end") 
 }
 
 TEST_CASE("with points of one load the level follows the load by the slope") {
-  DieselModel model = bare(1200);
+  DieselModel model = bare_diesel(1200);
   model.points[0].load = 0.25;
   model.points[0].orders = {{0.1F, 0.0F}};
   model.load_slope_db = 8;
@@ -336,23 +378,30 @@ TEST_CASE("with points of one load the level follows the load by the slope") {
 }
 
 TEST_CASE("a load that leaps is followed over a chunk, not at once") {
-  DieselModel model = bare(1200);
-  model.points[0].orders.assign(6, {0, 0});
-  model.points[0].orders[5] = {0.1F, 0.0F};
-  model.points.push_back(model.points[0]);
-  model.points[1].load = 1, model.points[1].orders[5] = {0.4F, 0.0F};
-  DieselLayer layer({model}, kRate, 1, 600);
-  play(layer, {1200, 0, 0}, 2);
-  std::vector<double> x;
-  for (int leap = 0; leap < 40; ++leap) {
-    const std::vector<double> some = play(layer, {1200, leap % 2 == 0 ? 1.0 : 0.0, 0}, 0.0037);
-    x.insert(x.end(), some.begin(), some.end());
+  // To the next point of two, of three, and past one.
+  for (const auto& [loads, leap_to] : {std::pair{2, 1.0}, {3, 0.5}, {3, 1.0}}) {
+    DieselModel model = bare_diesel(1200);
+    model.points[0].orders.assign(6, {0, 0});
+    model.points[0].orders[5] = {0.1F, 0.0F};
+    model.points.push_back(model.points[0]);
+    model.points[1].load = leap_to, model.points[1].orders[5] = {0.4F, 0.0F};
+    if (loads == 3)
+      model.points.push_back(model.points[leap_to < 1 ? 1 : 0]), model.points[2].load = 1.5 - leap_to;
+    DieselLayer layer({model}, kRate, 1, 600);
+    play(layer, {1200, 0, 0}, 2);
+    std::vector<double> x;
+    for (int leap = 0; leap < 40; ++leap) {
+      const std::vector<double> some = play(layer, {1200, leap % 2 == 0 ? leap_to : 0.0, 0}, 0.0037);
+      x.insert(x.end(), some.begin(), some.end());
+    }
+    double steepest = 0;
+    for (std::size_t n = 1; n < x.size(); ++n) steepest = std::max(steepest, std::fabs(x[n] - x[n - 1]));
+    // The amplitude leaps by 0.3. The fade covers the interpolator's taps as well, so a tenth of it is left
+    // to either end of a chunk.
+    CAPTURE(loads);
+    CAPTURE(leap_to);
+    CHECK(steepest < 0.25 * 0.3);
   }
-  double steepest = 0;
-  for (std::size_t n = 1; n < x.size(); ++n) steepest = std::max(steepest, std::fabs(x[n] - x[n - 1]));
-  // The amplitude leaps by 0.3. The fade covers the interpolator's taps as well, so a tenth of it is left to
-  // either end of a chunk.
-  CHECK(steepest < 0.25 * 0.3);
 }
 
 TEST_CASE("a copied layer goes on as its original would, also over one that played something else") {
