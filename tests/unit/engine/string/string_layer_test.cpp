@@ -193,7 +193,7 @@ TEST_CASE("a new string fades in over 20 ms along a smooth step") {
   // What rings fades out first.
   do changed.process(six, {}, x), born.process(six, {}, y);
   while (std::any_of(x, x + kChunk, [](double sample) { return sample != 0; }));
-  for (int chunk = 1; chunk < 25; ++chunk) {
+  for (int chunk = 1; chunk < 50; ++chunk) {
     changed.process(six, {&blow, chunk == 1 ? 1 : 0}, x);
     born.process(six, {&blow, chunk == 1 ? 1 : 0}, y);
     for (int n = 0; n < kChunk; ++n) {
@@ -228,6 +228,26 @@ TEST_CASE("a breaking rod snaps once, louder than any blow, and both parts ring 
   CHECK(peak(sound, 1, 1.02) > 2 * peak(before, 0, 2));
   CHECK(peak(sound, 1.3, 2) < peak(sound, 1, 1.02));
   CHECK(energy_within(sound, 1.5, 2) > 4 * energy_within(before, 1.5, 2));
+}
+
+TEST_CASE("the snap is a Hann pulse of 60 us, as much louder than a mean blow as the model says") {
+  StringModel model = bare_string(3.66, 2);
+  model.bending_mix = 0, model.highpass_hz = 10;
+  const double peak = model.level * std::pow(10, model.snap_db / 20);
+  for (const double rate : {44100.0, 48000.0, 96000.0}) {
+    StringLayer layer(model, rate, 1, 0);
+    StringInput input = drilling(2);
+    double out[kChunk];
+    for (int chunk = 0; chunk < 20; ++chunk) layer.process(input, {}, out);
+    input.broken = true;
+    layer.process(input, {}, out);
+    CAPTURE(rate);
+    for (int n = 0; n < kChunk; ++n) {  // it comes back later
+      const double t = (n + 0.5) / (60e-6 * rate);
+      const double snap = t < 1 ? peak / 2 * (1 - std::cos(2 * M_PI * t)) : 0;
+      CHECK(std::fabs(-out[n] - snap) < 0.01 * peak);
+    }
+  }
 }
 
 TEST_CASE("a mended string is a new one") {
