@@ -86,6 +86,19 @@ TEST_CASE("true peaks are those of the meter") {
   CHECK(most == doctest::Approx(std::max(left.peak(), right.peak())).epsilon(0.05));
 }
 
+TEST_CASE(
+    "a true peak is at least the largest sample, wherever in a chunk and on whichever channel that is") {
+  for (int at = 0; at < kChunk; ++at)
+    for (const int channel : {0, 1})
+      for (const double least : {0.0, 5.0}) {
+        std::vector<dsp::Lanes> x(TruePeak::kPast + kChunk, dsp::Lanes{});
+        x[static_cast<std::size_t>(TruePeak::kPast + at)][channel] = -1;
+        TruePeak peak;
+        CAPTURE(at);
+        CHECK(peak.of(x.data() + TruePeak::kPast, least) >= 1);
+      }
+}
+
 TEST_CASE("what is under the ceiling passes bit for bit, later by the look-ahead") {
   for (const int lookahead : {3, 4, 12}) {
     CAPTURE(lookahead);
