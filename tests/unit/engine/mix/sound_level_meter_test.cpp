@@ -110,4 +110,8 @@ TEST_CASE("a meter at rest hears a sound wherever it begins in a chunk, on eithe
         CHECK(meter.level().c_peak > 0.1);
         CHECK(meter.level().mean > 0);
       }
+  SoundLevelMeter meter(48000, 1);
+  const std::vector<float> loud(kChunk, 0.5F);
+  meter.process(loud.data(), kChunk);
+  CHECK(meter.level().c_peak > 0.1);
 }
