@@ -96,8 +96,10 @@ std::vector<double> struck(StringLayer& layer, const StringBlows& blows,
   return sound;
 }
 
-std::vector<double> free_ringing(const StringModel& model, double seconds, tool::LaneWidth width) {
+std::vector<double> free_ringing(const StringModel& model, double seconds, tool::LaneWidth width,
+                                 double contact) {
   LongitudinalString line(model, kStringRate, width);
+  line.set_contact(contact);
   line.bit().set_gap(-1);
   double in[kChunk] = {0.5, 1, 0.5}, none[kChunk] = {}, heard[kChunk];
   std::vector<double> sound;

@@ -27,9 +27,10 @@ struct StringBlows {
 std::vector<double> struck(string::StringLayer& layer, const StringBlows& blows,
                            const std::function<string::StringInput(double)>& input);
 
-/// Waves at the shank of a string that a short pulse has hit, the bit in the air.
+/// Waves at the shank of a string that a short pulse has hit, the bit in the air; `contact`: how hard the
+/// guides hold it all the same.
 std::vector<double> free_ringing(const StringModel& model, double seconds,
-                                 tool::LaneWidth width = tool::widest_lanes());
+                                 tool::LaneWidth width = tool::widest_lanes(), double contact = 0);
 
 /// Of the oscillation nearest `hz`, which nothing else in `sound` may come near: how far its phase gets
 /// between two windows a third of the sound apart.
