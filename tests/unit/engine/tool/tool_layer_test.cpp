@@ -124,3 +124,46 @@ TEST_CASE("the layer repeats itself bit for bit, differs between booms, and neve
   }
   CHECK(allocations() == before);
 }
+
+TEST_CASE("the weight of either family goes from 0 to 1 in 10 ms, in a straight line, and so do the blows") {
+  ToolModel model;
+  model.strike.bounces = 0;
+  const double step = 1 / (0.010 * 48000);
+  constexpr int kChange = 20;
+  // From the change on: until then `gain` is `before`, then `after`.
+  const auto played = [&](double ToolInput::*gain, double before, double after, int blow_chunk) {
+    ToolLayer layer(model, 48000, 1, 0);
+    std::vector<double> sound;
+    for (int chunk = 0; chunk < 60; ++chunk) {
+      ToolInput input;
+      input.*gain = chunk < kChange ? before : after;
+      const Impact blow{3.25, 1, 0};
+      double out[kChunk];
+      layer.process(input, {&blow, chunk == blow_chunk ? 1 : 0}, out);
+      if (chunk >= kChange) sound.insert(sound.end(), out, out + kChunk);
+    }
+    return sound;
+  };
+  for (const auto gain : {&ToolInput::transversal_mix, &ToolInput::longitudinal_mix}) {
+    const auto full = played(gain, 1, 1, kChange - 1), none = played(gain, 0, 0, kChange - 1),
+               changed = played(gain, 0, 1, kChange - 1);
+    double loudest = 0, worst = 0;
+    for (std::size_t n = 0; n < full.size(); ++n) {
+      const double part = full[n] - none[n], share = std::min(1.0, static_cast<double>(n + 1) * step);
+      loudest = std::max(loudest, std::fabs(part));
+      worst = std::max(worst, std::fabs(changed[n] - none[n] - share * part));
+    }
+    CHECK(loudest > 0);
+    CHECK(worst < 1.01 * step * loudest);  // where in a sample it begins is left open
+  }
+  // A pulse of 11 samples in the midst of the ramp.
+  for (const int later : {2, 5, 8}) {
+    const auto full = played(&ToolInput::amplitude, 1, 1, kChange + later),
+               changed = played(&ToolInput::amplitude, 0, 1, kChange + later);
+    double most = 0, less = 0;
+    for (std::size_t n = 0; n < full.size(); ++n)
+      most = std::max(most, std::fabs(full[n])), less = std::max(less, std::fabs(changed[n]));
+    CAPTURE(later);
+    CHECK(less / most == doctest::Approx((later * kChunk + 3.25 + 5.5) * step).epsilon(0.05));
+  }
+}
