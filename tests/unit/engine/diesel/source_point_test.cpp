@@ -107,6 +107,10 @@ TEST_CASE(
   b.level.push_back(-7), b.phase.push_back(1);
   const SourcePoint y = between(a, b, 0.25);
   CHECK(y.phase[0] == doctest::Approx(3 + 0.25 * (2 * M_PI - 6)));
+  a.phase[0] = 0, b.phase[0] = 3.1;  // the one way round is hardly shorter than the other
+  CHECK(between(a, b, 0.25).phase[0] == doctest::Approx(0.25 * 3.1));
+  b.phase[0] = 3.2;
+  CHECK(between(a, b, 0.25).phase[0] == doctest::Approx(0.25 * (3.2 - 2 * M_PI)));
   CHECK(y.s[0] == doctest::Approx(0.3));
   CHECK(y.rho == doctest::Approx(0.2));
   REQUIRE(y.level.size() == 3);
