@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -125,4 +127,42 @@ TEST_CASE("two booms, or two seeds, do not strike alike") {
   impact::ImpactTrain c(3, 0), d(3, 1);
   c.process(s), d.process(s);
   CHECK(c.impacts().first->amplitude != d.impacts().first->amplitude);
+}
+
+TEST_CASE("statistics go from one to the other evenly, the gap by ratios, and stay at either end") {
+  const impact::Statistics a{1000, 0.02, 0.1, 0.01, 0.02, 0.2, 0.3},
+      b{4000, 0.06, 0.5, 0.03, 0.08, 0.4, -0.1};
+  const auto members = [](const impact::Statistics& s) {
+    return std::array<double, 7>{
+        std::log(s.mean_gap_samples), s.gap_variation,        s.gap_correlation, s.miss_share, s.double_share,
+        s.amplitude_variation,        s.amplitude_correlation};
+  };
+  for (const double share : {-0.5, 0.0, 0.25, 0.5, 0.9, 1.0, 1.5}) {
+    const auto of_a = members(a), of_b = members(b), blended = members(impact::blend(a, b, share));
+    const double way = std::clamp(share, 0.0, 1.0);
+    CAPTURE(share);
+    for (std::size_t i = 0; i < blended.size(); ++i)
+      CHECK(blended[i] == doctest::Approx(of_a[i] + way * (of_b[i] - of_a[i])).scale(0).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("a bank's statistics are shares of its means, at its own rate or at the one it is asked for") {
+  ClickBank bank;
+  bank.sample_rate = 44100, bank.mean_gap_samples = 2000, bank.gap_deviation_samples = 50;
+  bank.mean_amplitude = 4, bank.amplitude_deviation = 0.5;
+  bank.gap_correlation = 0.3, bank.amplitude_correlation = -0.2, bank.miss_share = 0.01,
+  bank.double_share = 0.02;
+  DrillControls controls;
+  controls.deviation_time = 3, controls.deviation_amplitude = 2;
+  const impact::Statistics own = impact::statistics_of(bank, 44100, 0, controls);
+  CHECK(own.mean_gap_samples == 2000);
+  CHECK(own.gap_variation == doctest::Approx(3 * 0.025));
+  CHECK(own.amplitude_variation == doctest::Approx(2 * 0.125));
+  CHECK(own.gap_correlation == 0.3);
+  CHECK(own.amplitude_correlation == -0.2);
+  CHECK(own.miss_share == 0.01);
+  CHECK(own.double_share == 0.02);
+  CHECK(impact::statistics_of(bank, 44100, 30, controls).mean_gap_samples == doctest::Approx(44100 / 30.0));
+  controls.mean_frequency_hz = 60;
+  CHECK(impact::statistics_of(bank, 44100, 30, controls).mean_gap_samples == doctest::Approx(44100 / 60.0));
 }
