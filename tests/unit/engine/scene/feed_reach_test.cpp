@@ -45,6 +45,24 @@ TEST_CASE("a trend has flattened where the sound follows the feed by half of its
   CHECK(limit_of(reach, "rate", true) == 0);
 }
 
+TEST_CASE("a limit is told as long as it lies within the signal's range, on either side") {
+  SoundSet sounds = tools::formula_sounds();
+  for (const double bar : {100.0, 149.0, 151.0, 400.0}) {  // from an end to where the level stops to follow
+    FeedLaws laws;
+    laws.ln_level = 1.4 * std::sqrt(std::cbrt(4.0) - 1) / bar;  // the slope has halved there
+    sounds.laws = {laws};
+    const std::vector<scene::FeedReach> all = scene::feed_reach(sounds, SceneOptions{});
+    CAPTURE(bar);
+    CHECK(limit_of(all.front(), "level", true) == doctest::Approx(bar < 150 ? 150 + bar : 0).epsilon(1e-3));
+    CHECK(limit_of(all.front(), "level", false) == 0);
+  }
+  FeedLaws laws;
+  laws.ln_level = 1.4 * std::sqrt(std::cbrt(4.0) - 1) / 30;
+  sounds.laws = {laws};
+  CHECK(limit_of(scene::feed_reach(sounds, SceneOptions{}).front(), "level", false) ==
+        doctest::Approx(37.5 - 30).epsilon(1e-3));
+}
+
 TEST_CASE("every rod count and rock with banks has its reach") {
   SoundSet sounds = tools::formula_sounds();
   sounds.rocks = {{"soft", 5e7}};
