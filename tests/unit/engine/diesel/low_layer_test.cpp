@@ -71,3 +71,26 @@ TEST_CASE("the slow noise is as loud at every angle of the crank") {
     CHECK(power[static_cast<std::size_t>(part)] * kParts / all == doctest::Approx(1).epsilon(0.2));
   }
 }
+
+TEST_CASE("the noise of a channel lies at its own frequency, whichever channel it is") {
+  for (const std::size_t q : {3UL, 16UL, 37UL, 60UL}) {
+    DieselModel model = bare_diesel(1200);
+    const auto P = static_cast<std::size_t>(model.low_channels);
+    for (int row = 0; row <= model.low_scales; ++row)
+      model.points[0].low_variance[q + static_cast<std::size_t>(row) * P] = 1e-2F;
+    DieselLayer layer({model}, kRate, 1, 100);
+    std::vector<double> x(3 * 48000);
+    for (std::size_t n = 0; n < x.size(); n += kChunk) layer.process({1200, 0, 0}, &x[n]);
+    // Per sample it turns by its mean frequency: half an order, 5 Hz, a channel.
+    double now = 0, turned = 0;
+    for (std::size_t n = 48000; n + 1 < x.size(); ++n) {
+      now += x[n] * x[n];
+      const double step = x[n + 1] - x[n - 1];
+      turned += step * step / 4;
+    }
+    CAPTURE(q);
+    REQUIRE(now > 0);
+    const double hz = std::asin(std::sqrt(turned / now)) * kRate / (2 * M_PI);
+    CHECK(hz == doctest::Approx((static_cast<double>(q) + 0.5) * 5).scale(0).epsilon(0.1));
+  }
+}

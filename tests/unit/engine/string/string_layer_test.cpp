@@ -270,6 +270,10 @@ TEST_CASE("a string left alone falls silent with exact zeros") {
   const auto sound = struck(layer, {4, 0.01, 100}, [](double) { return drilling(); });
   CHECK(energy_within(sound, 0, 0.5) > 0);
   CHECK(energy_within(sound, 3.5, 4) == 0);
+  double out[kChunk];
+  CHECK_FALSE(layer.process(drilling(), {}, out));  // and says so
+  const Impact blow{5, 1, 0};
+  CHECK(layer.process(drilling(), {&blow, 1}, out));
 }
 
 TEST_CASE(
