@@ -3,6 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
+#include "rigsound/tool_model.hpp"
+
 using namespace rigsound;
 using namespace rigsound::tool;
 
@@ -46,4 +50,25 @@ TEST_CASE("a loop of the preferred order is tried though one of a lower order is
     better += preferred < design_loop(LongitudinalLaw(bar), task).error.cents ? 1 : 0;
   }
   CHECK(better > 0);
+}
+
+TEST_CASE(
+    "at half the rate a bending loop has turned as far as the bar's law, or on straight if that is less") {
+  for (const double rate : {44100.0, 96000.0})
+    for (const Bar& bar : kStretchedBars) {
+      ToolModel model;
+      model.bar = bar;
+      const LoopDesign loop = design_tool(model, rate).transversal;
+      const TransversalLaw law(bar);
+      double top = 1;
+      while (law.at(top) < rate / 2) top += 1e-3;
+      const int modes = law.count_below(mode_limit(rate));
+      const double straight = modes + (rate / 2 - law.at(modes)) * law.density(modes);
+      const double half_turns = 2 * std::min(top, straight);
+      CAPTURE(rate);
+      CAPTURE(bar.length_m);
+      // Its delay and each order turn by pi there. Whole numbers are tried from two less to one more.
+      CHECK(loop.delay_samples + loop.allpass.order() >= half_turns - 2);
+      CHECK(loop.delay_samples + loop.allpass.order() <= half_turns + 2);
+    }
 }
