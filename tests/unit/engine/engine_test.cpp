@@ -176,4 +176,11 @@ TEST_CASE("options and sound sets that cannot work are refused by name") {
       "mix.equaliser[0].frequency_hz: is 22000");
   refused([](auto&, auto& s) { s.uses.erase(s.uses.begin()); }, "normal");
   refused([](auto&, auto& s) { s.banks[2].sample_rate = 44100; }, "rate");
+  refused([](auto&, auto& s) { s.uses[1].bank = -1; }, "bank: of a use is not there");
+  refused([](auto&, auto& s) { s.uses[1].bank = static_cast<int>(s.banks.size()); },
+          "bank: of a use is not there");
+  refused([](auto& o, auto&) { o.booms[0].tool = -2; }, "boom.tool");
+  refused([](auto& o, auto& s) { o.booms[0].drill_string = static_cast<int>(s.strings.size()); },
+          "boom.tool");
+  refused([](auto& o, auto&) { o.booms[0].drill_string = -2; }, "boom.tool");
 }
