@@ -63,6 +63,23 @@ TEST_CASE("a bit in the air sends everything back as tension, one in a gap what 
   }
 }
 
+TEST_CASE("a bit that tension has pulled off the rock comes back as far as it went, at most the gap") {
+  for (const int tension : {1, 2, 4, 5, 8}) {
+    BitContact bit;
+    bit.set_loading(9);
+    bit.set_gap(10);
+    bit.silence();
+    double down[kChunk], up[kChunk];
+    for (int n = 0; n < kChunk; ++n) down[n] = n >= 8 && n < 8 + tension ? -1 : 1;
+    bit.process(down, up, kChunk);
+    // It moves by two units a sample: with the gap of ten no further than five samples do.
+    const int lands = 8 + tension + std::min(tension, 5);
+    CAPTURE(tension);
+    for (int n = 9; n < lands; ++n) CHECK(up[n] == -down[n]);
+    CHECK(up[lands] > -1);
+  }
+}
+
 TEST_CASE("a bit gives as many samples as it is given, in the air, on the rock and in a gap") {
   for (const double gap : {-1.0, 0.0, 10.0}) {
     BitContact bit;
