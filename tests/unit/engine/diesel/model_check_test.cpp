@@ -16,7 +16,8 @@ namespace {
 
 template <class Change>
 std::string complaint_after(Change change) {
-  DieselModel model = default_diesel();
+  static const DieselModel kValid = default_diesel();
+  DieselModel model = kValid;
   change(model);
   try {
     require_valid(model);
@@ -46,7 +47,7 @@ std::vector<float> all_pole(const std::vector<std::complex<double>>& poles) {
 
 TEST_CASE("a filter is taken if all its poles are inside the unit circle, and not if one pair is outside") {
   const dsp::RandomField random(3, 1);
-  for (std::uint64_t trial = 0; trial < 200; ++trial)
+  for (std::uint64_t trial = 0; trial < 50; ++trial)
     for (const std::size_t pairs : {1UL, 2UL, 3UL, 4UL}) {
       std::vector<std::complex<double>> poles;
       for (std::uint64_t i = 0; i < pairs; ++i)
