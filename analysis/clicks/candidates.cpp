@@ -4,12 +4,18 @@
 #include <cmath>
 #include <numeric>
 
+#include "clicks/independent_share.hpp"
 #include "rigsound/analysis/rate.hpp"
 
 namespace rigsound::analysis {
 namespace {
 
-constexpr double kForward_ms[] = {2, 4}, kBackward_ms[] = {3, 4};
+struct Windows {
+  double forward_ms, backward_ms;
+};
+// The last where few samples are independent: 4 ms of modes below 1 kHz are eight of them.
+constexpr Windows kWindows[] = {{2, 3}, {4, 4}, {8, 8}};
+constexpr double kNarrow = 0.1;  // independent share
 constexpr double kHeight = 1.5, kDistance_ms = 1;
 constexpr double kPowerFloor = 1e-2;  ///< of the mean: digital silence must not make every ripple a step
 
@@ -58,6 +64,7 @@ std::vector<int> peaks(const Eigen::ArrayXd& z, double height, int distance) {
 Candidates candidates_between(const Candidates& candidates, long first, long last) {
   Candidates inside;
   inside.z = candidates.z.segment(first, last - first);
+  inside.narrow = candidates.narrow;
   for (const int block : candidates.block)
     if (block >= first && block < last) inside.block.push_back(block - static_cast<int>(first));
   return inside;
@@ -70,11 +77,15 @@ Candidates find_candidates(const Eigen::ArrayXd& y) {
   std::partial_sum(power.begin(), power.end(), cumulative.begin() + 1);
   Candidates candidates;
   candidates.z = Eigen::ArrayXd::Zero(power.size());
-  for (int scale = 0; scale < 2; ++scale)
+  candidates.narrow = independent_share(y) < kNarrow;
+  const int scales = candidates.narrow ? 3 : 2;
+  for (int scale = 0; scale < scales; ++scale) {
+    const long forward = blocks_of(kWindows[scale].forward_ms),
+               backward = blocks_of(kWindows[scale].backward_ms);
     for (long t = 2; t + 2 < power.size(); ++t)
       candidates.z(t) =
-          std::max(candidates.z(t), step_statistic(cumulative, t, blocks_of(kForward_ms[scale]),
-                                                   blocks_of(kBackward_ms[scale]), kCandidateBlock));
+          std::max(candidates.z(t), step_statistic(cumulative, t, forward, backward, kCandidateBlock));
+  }
   candidates.block =
       peaks(candidates.z, kHeight, static_cast<int>(kDistance_ms * kAnalysisRate / 1000 / kCandidateBlock));
   return candidates;

@@ -11,6 +11,7 @@ constexpr int kCandidateBlock = 16;  ///< samples
 struct Candidates {
   Eigen::ArrayXd z;        ///< detection statistic of every block
   std::vector<int> block;  ///< peaks of z, ascending
+  bool narrow = false;     ///< the signal's band: few of its samples are independent
 };
 
 /// Mean of each block of `block` samples of x; a remainder is left out. Thread: OFF.
@@ -24,8 +25,8 @@ Eigen::ArrayXd block_power(const Eigen::ArrayXd& y, int block);
 /// the mean powers after, before and around; 0 when v_f <= v_b. Thread: OFF.
 double step_statistic(const Eigen::ArrayXd& cumulative, long t, long forward, long backward, int samples);
 
-/// The statistic with windows of (2, 3) and (4, 4) ms, the larger of both, and its peaks of at least 1.5,
-/// 1 ms apart. Thread: OFF.
+/// The statistic with windows of (2, 3) and (4, 4) ms, in a narrow band also of (8, 8) ms, the largest of
+/// them, and its peaks of at least 1.5, 1 ms apart. Thread: OFF.
 Candidates find_candidates(const Eigen::ArrayXd& y);
 
 /// Those of blocks [first, last), counted from `first` on. Thread: OFF.

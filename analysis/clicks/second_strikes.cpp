@@ -136,7 +136,8 @@ void remove_doubtful(const Eigen::ArrayXd& q, const EnvelopePower& shape, const 
 }  // namespace
 
 ClickTrain with_second_strikes(const Eigen::ArrayXd& y, const Candidates& candidates, ClickTrain train) {
-  if (train.P.size() < kFewestTwice) return train;
+  // The beats of modes within a narrow band come a constant time after the clicks too.
+  if (train.P.size() < kFewestTwice || candidates.narrow) return train;
   const std::vector<Follower> all = followers(candidates, train);
   const double time = usual_time(all, kClearAsClicks * usual_statistic(candidates, train), train.P.size());
   if (time == 0) return train;

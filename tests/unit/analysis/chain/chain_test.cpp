@@ -165,6 +165,18 @@ TEST_CASE("a low drill that rings slowly is found as loud as its background") {
   }
 }
 
+TEST_CASE("low drills are found although a blind split takes the hiss above them for drilling") {
+  for (const unsigned seed : {2U, 5U}) {
+    LowDrill low = low_drill(20 + 1.5 * seed, 4, seed);
+    const std::vector<double> background = drillbench_background(100 + int(seed), 4);
+    for (size_t n = 0; n < low.sound.size(); ++n) low.sound[n] += float(0.05 * background[n]);
+    const ChainResult result = run_chain(low.sound, {});
+    CAPTURE(seed);
+    CHECK(result.drilling_found);
+    CHECK(f_measure(result.clicks.P, low.P, 240) > 0.95);  // to the period of the lowest mode
+  }
+}
+
 TEST_CASE("a breaker that strikes twice in every period is heard twice, at its own period") {
   for (const unsigned seed : {1U, 2U, 3U}) {
     TestNoise noise(seed);
