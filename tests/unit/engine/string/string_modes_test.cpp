@@ -92,8 +92,9 @@ TEST_CASE("what the list says the layer plays is in the sound of its waves") {
 }
 
 TEST_CASE("the decays that the list tells of a string's waves, free and pressed, are those of its sound") {
-  for (const auto& [L, N] : {std::pair{3.66, 1}, {1.0, 3}, {1.22, 2}}) {
-    StringModel model = bare_string(L, N);
+  for (const auto& rods : {std::pair{3.66, 1}, {1.0, 3}, {1.22, 2}}) {
+    const double L = rods.first;
+    StringModel model = bare_string(L, rods.second);
     model.sleeve_impedance = 1.0001;  // fractions of a sample to every rod, but waves pass
     model.string_low_s = 0.5, model.string_high_s = 0.3;
     constexpr std::size_t kWindow = 4800, kApart = 4800;
