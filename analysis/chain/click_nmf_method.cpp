@@ -131,20 +131,25 @@ Start start_from(unsigned seed, const std::vector<float>& x, const WordFit& clip
   return start;
 }
 
-/// Impacts deep in noise are found from some random starts and not from others: where the first finds nothing
-/// clear, the clearest of several. Those of a narrow band are found only without the hiss that a blind split
-/// takes along: that one is searched beyond chance, too.
+void search_beyond_chance(const std::vector<float>& x, const WordFit& clip, const Grid& background,
+                          Start& start) {
+  ClickSearch other = search_clicks(x, psd_beyond_chance(start.blind, clip.power(), background));
+  if (other.clearness() > start.found.clearness()) start.found = std::move(other);
+}
+
+/// Impacts deep in noise are found from some random starts and not from others, those of a narrow band only
+/// without the hiss that a blind split takes along: where the first finds nothing clear, the clearest of
+/// several, each as it is and beyond chance.
 Start clearest_start(unsigned seed, const std::vector<float>& x, const WordFit& clip) {
   Start best = start_from(seed, x, clip);
   if (best.found.clearness() >= kClear) return best;
+  const Grid background = left_by_background(clip);
+  search_beyond_chance(x, clip, background, best);
   for (unsigned more = 1; more < kStarts; ++more) {
     Start other = start_from(seed + more, x, clip);
+    search_beyond_chance(x, clip, background, other);
     if (other.found.clearness() > best.found.clearness()) best = std::move(other);
   }
-  if (best.found.clearness() >= kClear) return best;
-  ClickSearch beyond =
-      search_clicks(x, psd_beyond_chance(best.blind, clip.power(), left_by_background(clip)));
-  if (beyond.clearness() > best.found.clearness()) best.found = std::move(beyond);
   return best;
 }
 
