@@ -139,11 +139,11 @@ void search_beyond_chance(const std::vector<float>& x, const WordFit& clip, cons
 
 /// Impacts deep in noise are found from some random starts and not from others, those of a narrow band only
 /// without the hiss that a blind split takes along: where the first finds nothing clear, the clearest of
-/// several, each as it is and beyond chance.
-Start clearest_start(unsigned seed, const std::vector<float>& x, const WordFit& clip) {
+/// several, each as it is and beyond chance. `background`: left_by_background() of the clip.
+Start clearest_start(unsigned seed, const std::vector<float>& x, const WordFit& clip,
+                     const Grid& background) {
   Start best = start_from(seed, x, clip);
   if (best.found.clearness() >= kClear) return best;
-  const Grid background = left_by_background(clip);
   search_beyond_chance(x, clip, background, best);
   for (unsigned more = 1; more < kStarts; ++more) {
     Start other = start_from(seed + more, x, clip);
@@ -228,11 +228,11 @@ std::vector<ClipMachine> split_by_click_nmf(const std::vector<float>& x, const s
   const Spectrogram X = stft(x, kChainStft);
   const PowerSpectrogram power = power_spectrogram(X);
   const WordFit clip(power);
-  const Start start = clearest_start(options.seed, x, clip);
+  const Grid background_alone = left_by_background(clip);
+  const Start start = clearest_start(options.seed, x, clip, background_alone);
   dump_split(dump, "blind", X, power, start.blind, x.size());
 
   Pass pass = first_pass(start.found, clip, dump);
-  const Grid background_alone = left_by_background(clip);
   const auto judged = [&] {
     return judge(windows, searched(x, pass.found, pass.clicks, power, background_alone, pass.factors),
                  "pass2", dump);

@@ -22,7 +22,7 @@ double sum_of_orders(const SourcePoint& source, int n, int N) {
   double sum = 0;
   for (std::size_t k = 1; k <= source.level.size(); ++k)
     sum += std::exp(source.level[k - 1]) *
-           std::cos(2 * std::acos(-1.0) * static_cast<double>(k) * n / N + source.phase[k - 1]);
+           std::cos(2 * M_PI * static_cast<double>(k) * n / N + source.phase[k - 1]);
   return sum;
 }
 
@@ -67,7 +67,7 @@ TEST_CASE("no order of a table folds over") {
   tables.take(table, none);
   double re = 0, im = 0;
   for (std::size_t n = 0; n < table.size(); ++n) {
-    const double angle = 2 * std::acos(-1.0) * 221 * static_cast<double>(n) / 1024;
+    const double angle = 2 * M_PI * 221 * static_cast<double>(n) / 1024;
     re += static_cast<double>(table[n]) * std::cos(angle),
         im += static_cast<double>(table[n]) * std::sin(angle);
   }
