@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "diesel/diesel_layer.hpp"
-#include "diesel/slot_source.hpp"
-#include "diesel/wavelet_tree.hpp"
+#include "diesel/operating_grid.hpp"
 #include "engine/allocation_guard.hpp"
 #include "engine/diesel/bare_diesel.hpp"
 #include "engine/diesel/diesel_measures.hpp"
+#include "engine/diesel/played_diesel.hpp"
 #include "engine/heard.hpp"
 #include "rigsound/default_diesel.hpp"
 #include "rigsound/dsp/linear_prediction.hpp"
@@ -20,22 +20,6 @@
 using namespace rigsound;
 using namespace rigsound::diesel;
 using namespace rigsound::tests;
-
-namespace {
-
-std::vector<double> play(DieselLayer& layer, const DieselInput& controls, double seconds) {
-  std::vector<double> out(static_cast<std::size_t>(seconds * kRate / kChunk) * kChunk);
-  for (std::size_t n = 0; n < out.size(); n += kChunk) layer.process(controls, &out[n]);
-  return out;
-}
-
-double power(const std::vector<double>& x, std::size_t from = 0) {
-  double sum = 0;
-  for (std::size_t n = from; n < x.size(); ++n) sum += x[n] * x[n];
-  return sum / static_cast<double>(x.size() - from);
-}
-
-}  // namespace
 
 TEST_CASE("an order sounds at its frequency and level, whatever the speed") {
   DieselModel model = bare_diesel(1200);
@@ -142,155 +126,6 @@ TEST_CASE("the pump strokes at its order of the speed") {
   CHECK(near(180) > 1000 * near(120));  // eighteen strokes in each of ten cycles a second
 }
 
-TEST_CASE("recorded start and stop play once each") {
-  DieselModel model = bare_diesel(800);
-  model.start.assign(24000, 0.25F);
-  model.stop.assign(12000, -0.125F);
-  DieselLayer layer({model}, kRate, 1, 800);
-  const auto sum = [](const std::vector<double>& x) {
-    double s = 0;
-    for (const double v : x) s += v;
-    return s;
-  };
-  CHECK(sum(play(layer, {800, 0, 0}, 3)) == doctest::Approx(6000));
-  CHECK(sum(play(layer, {0, 0, 0}, 3)) == doctest::Approx(-1500));
-}
-
-TEST_CASE("the running engine comes in 0.3 s before the end of a recorded start, and not before") {
-  DieselModel model = bare_diesel(800);
-  model.points[0].orders.assign(12, {0, 0});
-  model.points[0].orders[11] = {0.1F, 0.0F};  // 80 Hz
-  model.start.assign(48000, 0.0F);
-  DieselLayer layer({model}, kRate, 1, 800);
-  const std::vector<double> x = play(layer, {800, 0, 0}, 2);
-  std::size_t begins = 0;
-  while (begins < x.size() && x[begins] == 0) ++begins;
-  CHECK(static_cast<double>(begins) / kRate >= 0.7);
-  CHECK(static_cast<double>(begins) / kRate < 0.8);  // the crank turns after a moment
-  // Gained with 40 ms.
-  const auto amplitude = [&](double from_s) {
-    double most = 0;
-    for (auto n = static_cast<std::size_t>(from_s * kRate);
-         n < static_cast<std::size_t>((from_s + 0.0125) * kRate); ++n)
-      most = std::max(most, std::fabs(x[n]));
-    return most;
-  };
-  const double first_s = static_cast<double>(begins) / kRate;
-  CHECK(amplitude(first_s + 0.0275) ==
-        doctest::Approx(0.1 * (1 - std::exp(-0.04 / 0.04))).scale(0).epsilon(0.1));
-  CHECK(amplitude(first_s + 0.3) == doctest::Approx(0.1).scale(0).epsilon(0.01));
-}
-
-TEST_CASE("a recorded start sounds alike at every rate, without what lies above half of it") {
-  const auto energy_s = [](double hz, double rate) {
-    DieselModel model = bare_diesel(800);
-    for (int n = 0; n < 24000; ++n)
-      model.start.push_back(static_cast<float>(0.25 * std::sin(2 * M_PI * hz * n / model.sample_rate)));
-    DieselLayer layer({model}, rate, 1, 800);
-    const std::vector<double> x = play(layer, {800, 0, 0}, 3);
-    return power(x) * static_cast<double>(x.size()) / rate;
-  };
-  const double whole = 0.5 * 0.25 * 0.25 * 0.5;
-  for (const double rate : {32000.0, 48000.0, 96000.0})
-    CHECK(energy_s(5000, rate) == doctest::Approx(whole).scale(0).epsilon(0.005));
-  CHECK(energy_s(20000, 32000) < 1e-3 * whole);
-}
-
-TEST_CASE("a one-shot that is overtaken fades away") {
-  DieselModel model = bare_diesel(800);
-  model.start.assign(48000, 0.25F);
-  model.stop.assign(48000, -0.125F);
-  DieselLayer layer({model}, kRate, 1, 800);
-  const auto steps_of = [](const std::vector<double>& x) {
-    double worst = 0;
-    for (std::size_t n = 1; n < x.size(); ++n) worst = std::max(worst, std::fabs(x[n] - x[n - 1]));
-    return worst;
-  };
-  play(layer, {100, 0, 0}, 0.3);  // cranked, and it does not catch
-  const std::vector<double> gave_up = play(layer, {0, 0, 0}, 0.5);
-  CHECK(steps_of(gave_up) < 0.001);
-  CHECK(gave_up.back() == 0);
-  play(layer, {800, 0, 0}, 3);
-  play(layer, {0, 0, 0}, 0.4);  // dying, and started again
-  const std::vector<double> again = play(layer, {800, 0, 0}, 0.5);
-  CHECK(again.back() == doctest::Approx(0.25));
-  CHECK(steps_of(again) < 0.3);  // the start may begin as it likes, the stop's end is smooth
-}
-
-TEST_CASE("a wavelet tree with equal deviations is white, each scale brings its share") {
-  constexpr int kChannels = 64, kFrames = 4096;
-  for (int N : {1, 2, 3}) {
-    for (int scale = 0; scale <= N + 1; ++scale) {  // N + 1: all of them
-      constexpr int kWidth = kChannels / WaveletTree::kGroups;
-      std::vector<double> deviation(static_cast<std::size_t>((N + 1) * kWidth), 0.0);
-      for (std::size_t i = 0; i < deviation.size(); ++i)
-        deviation[i] = scale == N + 1 || static_cast<int>(i) / kWidth == scale;
-      WaveletTree tree(kChannels, N, 5);
-      double energy = 0, neighbour = 0;
-      std::vector<double> last(kChannels, 0.0), now(kChannels);
-      for (int frame = 0; frame < kFrames; ++frame) {
-        for (int g = 0; g < WaveletTree::kGroups; ++g)
-          tree.produce(g, deviation.data(),
-                       &now[static_cast<std::size_t>(g * kChannels / WaveletTree::kGroups)]);
-        for (std::size_t i = 0; i < now.size(); ++i) energy += now[i] * now[i], neighbour += now[i] * last[i];
-        last = now;
-      }
-      const double share = scale == N + 1 ? 1.0 : scale == N ? std::pow(0.5, N) : std::pow(0.5, scale + 1);
-      CAPTURE(N);
-      CAPTURE(scale);
-      CHECK(energy / (kFrames * kChannels) == doctest::Approx(share).epsilon(0.03));
-      if (scale == N + 1) CHECK(std::fabs(neighbour / energy) < 0.01);
-    }
-  }
-}
-
-TEST_CASE("slots give the variance they were told, slot by slot") {
-  DieselModel model = bare_diesel(1200);
-  const std::size_t bands = slot_band_edges(model.slot_samples()).size() - 1;
-  for (std::size_t l = 0; l < 64; ++l)
-    for (std::size_t b = 0; b < bands; ++b)
-      model.points[0].slot_variance[l * bands + b] = l % 16 < 4 ? 4.0F : 1.0F;
-  const OperatingGrid grid(model, kRate);
-  SlotSource source(model, kRate, 3);
-  std::vector<double> slot(static_cast<std::size_t>(model.slot_samples()));
-  double loud = 0, soft = 0;
-  for (int frame = 0; frame < 64 * 200; ++frame) {
-    source.produce(grid, grid.place(1200, 0), 10, slot.data());
-    // Hop c lies under frames c and c + 1: loud throughout for c = 0, 1, 2, soft for 4 ... 14.
-    if (frame % 16 < 3) loud += power(slot) / 2400;
-    if (frame % 16 >= 4 && frame % 16 < 15) soft += power(slot) / 8800;
-  }
-  CHECK(loud == doctest::Approx(4.0).epsilon(0.03));
-  CHECK(soft == doctest::Approx(1.0).epsilon(0.03));
-}
-
-TEST_CASE("slots that vary have on average the power they were told, and neighbours vary as they are told") {
-  DieselModel model = bare_diesel(1200);
-  DieselPoint& p = model.points[0];
-  p.slot_variance.assign(p.slot_variance.size(), 1.0F);
-  const auto measured = [&](double log_variance, double correlation) {
-    p.slot_log_variance.assign(64, static_cast<float>(log_variance));
-    p.slot_correlation = correlation;
-    const OperatingGrid grid(model, kRate);
-    SlotSource source(model, kRate, 3);
-    std::vector<double> slot(static_cast<std::size_t>(model.slot_samples()));
-    double mean = 0, square = 0, product = 0, last = 0;
-    constexpr int kFrames = 20000;
-    for (int frame = 0; frame < kFrames; ++frame) {
-      source.produce(grid, grid.place(1200, 0), 10, slot.data());
-      const double now = power(slot);
-      mean += now / kFrames, square += now * now / kFrames, product += now * last / kFrames;
-      last = now;
-    }
-    return std::array<double, 2>{mean, (product - mean * mean) / (square - mean * mean)};
-  };
-  CHECK(measured(0.5, 0)[0] == doctest::Approx(1).epsilon(0.05));
-  CHECK(measured(1, 0)[0] == doctest::Approx(1).epsilon(0.08));
-  // Hops overlap, so that half of what one frame is loud is heard in the next anyway.
-  CHECK(measured(0.5, 0)[1] < 0.6);
-  CHECK(measured(0.5, 0.9)[1] > 0.8);
-}
-
 TEST_CASE("two points join in the order domain: level geometric, phase along the shorter way") {
   DieselModel model = bare_diesel(1000);
   model.points[0].orders = {{0.01F, 0.0F}};
@@ -338,23 +173,6 @@ TEST_CASE("an all-pole body keeps its response at another sampling rate") {
   const double offset = db(b, 1500, 44100) - db(a, 1500, 48000);
   for (const double f : {300.0, 1000.0, 3000.0, 8000.0, 15000.0})
     CHECK(std::fabs(db(b, f, 44100) - db(a, f, 48000) - offset) < 1.0);
-}
-
-TEST_CASE("a model that cannot be played is refused by name") {
-  const auto refused = [](auto change, const char* word) {
-    DieselModel model = default_diesel();
-    change(model);
-    CHECK_THROWS_WITH_AS(DieselLayer({model}, kRate, 1, 800), doctest::Contains(word), std::invalid_argument);
-  };
-  refused([](auto& m) { m.points.clear(); }, "point");
-  refused([](auto& m) { m.angle_samples = 5000; }, "N_theta");
-  refused([](auto& m) { m.points[1].slot_variance.pop_back(); }, "v_hi");
-  refused([](auto& m) { m.body_filter = {1.0F, -2.1F}; }, "stable");
-  refused([](auto& m) { m.points[1].slot_log_variance[3] = 2.5F; }, "points[1].s2: is 2.5, expected 0...2");
-  refused([](auto& m) { m.points[0].slot_correlation = 0.96; }, "points[0].rho: is 0.96, expected 0...0.95");
-  refused([](auto& m) { m.points[0].rpm = 299; }, "points[0].rpm: is 299 r/min, expected 300...4000 r/min");
-  refused([](auto& m) { m.hydraulic.flow = std::nan(""); }, "hydraulic.flow: is nan");
-  refused([](auto& m) { m.slots = 48; }, "L: is 48, expected a power of two");
 }
 
 TEST_CASE("a speed extrapolated beyond the signal's range is heard as its end") {

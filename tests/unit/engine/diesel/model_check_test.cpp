@@ -7,10 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "diesel/diesel_layer.hpp"
+#include "engine/heard.hpp"
 #include "rigsound/default_diesel.hpp"
 #include "rigsound/dsp/random.hpp"
 
 using namespace rigsound;
+using namespace rigsound::diesel;
+using namespace rigsound::tests;
 
 namespace {
 
@@ -112,4 +116,21 @@ TEST_CASE("a body's response has no value or two and more, and slots have 16 to 
   CHECK(
       told([](DieselModel& m) { m.angle_samples = 1024, m.slots = 128; }, "L: leaves 8, expected 16...512"));
   CHECK(told([](DieselModel& m) { m.angle_samples = 16384; }, "N_theta: is 16384"));
+}
+
+TEST_CASE("a model that cannot be played is refused by name") {
+  const auto refused = [](auto change, const char* word) {
+    DieselModel model = default_diesel();
+    change(model);
+    CHECK_THROWS_WITH_AS(DieselLayer({model}, kRate, 1, 800), doctest::Contains(word), std::invalid_argument);
+  };
+  refused([](auto& m) { m.points.clear(); }, "point");
+  refused([](auto& m) { m.angle_samples = 5000; }, "N_theta");
+  refused([](auto& m) { m.points[1].slot_variance.pop_back(); }, "v_hi");
+  refused([](auto& m) { m.body_filter = {1.0F, -2.1F}; }, "stable");
+  refused([](auto& m) { m.points[1].slot_log_variance[3] = 2.5F; }, "points[1].s2: is 2.5, expected 0...2");
+  refused([](auto& m) { m.points[0].slot_correlation = 0.96; }, "points[0].rho: is 0.96, expected 0...0.95");
+  refused([](auto& m) { m.points[0].rpm = 299; }, "points[0].rpm: is 299 r/min, expected 300...4000 r/min");
+  refused([](auto& m) { m.hydraulic.flow = std::nan(""); }, "hydraulic.flow: is nan");
+  refused([](auto& m) { m.slots = 48; }, "L: is 48, expected a power of two");
 }

@@ -25,9 +25,9 @@ StringInput steady(double contact, double rock = 2e8) {
   return input;
 }
 
-using Blows = std::vector<Impact>;  ///< one a chunk; amplitude 0: none
+using BlowPerChunk = std::vector<Impact>;  ///< one a chunk; amplitude 0: none
 
-std::vector<double> played(StringLayer& layer, const StringInput& input, const Blows& blows) {
+std::vector<double> played(StringLayer& layer, const StringInput& input, const BlowPerChunk& blows) {
   std::vector<double> sound;
   double out[kChunk];
   for (const Impact& blow : blows) {
@@ -38,8 +38,8 @@ std::vector<double> played(StringLayer& layer, const StringInput& input, const B
 }
 
 /// A blow in the first of so many chunks.
-Blows one_blow(std::size_t chunks) {
-  Blows blows(chunks, Impact{0, 0, 0});
+BlowPerChunk one_blow(std::size_t chunks) {
+  BlowPerChunk blows(chunks, Impact{0, 0, 0});
   blows[0] = {3.25, 1, 0};
   return blows;
 }
@@ -47,7 +47,7 @@ Blows one_blow(std::size_t chunks) {
 /// The waves over a bit that rests on the rock so softly or lies so far away, high-passed as written: first
 /// order, half of 0 dB at highpass_hz.
 std::vector<double> waves(const StringModel& model, double contact, double loading, double gap,
-                          const Blows& blows) {
+                          const BlowPerChunk& blows) {
   Strike strike;
   strike.width_s = model.strike_width_s, strike.amplitude_variation = 0, strike.bounces = 0;
   tool::Strikes strikes(strike, kStringRate, 1, 0);
@@ -88,7 +88,7 @@ TEST_CASE("rock loads the bit in Z / k, the feed closes the gap that a mean blow
   for (const double contact : {1.0, 0.75, 0.5, 0.25, 0.0})
     for (const double rock : {5e7, 1e9}) {
       StringLayer layer(model, kStringRate, 1, 0);
-      played(layer, steady(contact, rock), Blows(2000, Impact{0, 0, 0}));
+      played(layer, steady(contact, rock), BlowPerChunk(2000, Impact{0, 0, 0}));
       const std::vector<double> sound = played(layer, steady(contact, rock), one_blow(200));
       const double gap = contact == 0 ? -1 : contact == 0.5 ? width : width * (1 / contact - 1);
       const std::vector<double> wanted = waves(model, contact, kZ / rock * kStringRate, gap, one_blow(200));
@@ -105,10 +105,10 @@ TEST_CASE("contact comes and goes within 20 ms, the rock's stiffness with a time
   StringModel model = plain_string();
   model.bending_mix = 0;
   StringLayer layer(model, kStringRate, 1, 0);
-  played(layer, steady(0, 1e9), Blows(2000, Impact{0, 0, 0}));
-  played(layer, steady(1, 1e9), Blows(30, Impact{0, 0, 0}));  // 20 ms
+  played(layer, steady(0, 1e9), BlowPerChunk(2000, Impact{0, 0, 0}));
+  played(layer, steady(1, 1e9), BlowPerChunk(30, Impact{0, 0, 0}));  // 20 ms
   StringLayer there = layer;
-  const Blows ringing = one_blow(100);
+  const BlowPerChunk ringing = one_blow(100);
   std::vector<double> sound = played(there, steady(1, 1e9), ringing);
   CHECK(largest(sound) > 0);
   const std::vector<double> pressed = waves(model, 1, kZ / 1e9 * kStringRate, 0, ringing);
@@ -116,8 +116,8 @@ TEST_CASE("contact comes and goes within 20 ms, the rock's stiffness with a time
 
   // A millisecond later softer rock is felt by 1 - e^-1/20 of the way.
   StringLayer early = layer, late = layer;
-  played(early, steady(1, 1e8), Blows(30, Impact{0, 0, 0}));
-  played(late, steady(1, 1e8), Blows(60, Impact{0, 0, 0}));
+  played(early, steady(1, 1e8), BlowPerChunk(30, Impact{0, 0, 0}));
+  played(late, steady(1, 1e8), BlowPerChunk(60, Impact{0, 0, 0}));
   const auto of = [&](const StringLayer& after, double left) {
     StringLayer copy = after;
     const double hard = kZ / 1e9 * kStringRate, soft = kZ / 1e8 * kStringRate;
@@ -143,18 +143,18 @@ TEST_CASE(
   StringLayer stays(model, kStringRate, 1, 0), changes(model, kStringRate, 1, 0);
   StringInput six = steady(0.5);
   six.rods = 6;
-  played(stays, steady(0.5), Blows(100, Impact{0, 0, 0}));
-  played(changes, steady(0.5), Blows(100, Impact{0, 0, 0}));
+  played(stays, steady(0.5), BlowPerChunk(100, Impact{0, 0, 0}));
+  played(changes, steady(0.5), BlowPerChunk(100, Impact{0, 0, 0}));
   CHECK(played(stays, steady(0.5), one_blow(4)) == played(changes, steady(0.5), one_blow(4)));
-  const Blows none(fade / kChunk, Impact{0, 0, 0});
+  const BlowPerChunk none(fade / kChunk, Impact{0, 0, 0});
   const std::vector<double> whole = played(stays, steady(0.5), none), out = played(changes, six, none);
   REQUIRE(largest(whole) > 1e-4);
   for (std::size_t n = 0; n < out.size(); ++n)
     CHECK(out[n] == doctest::Approx(whole[n] * g(fade - n)).scale(largest(whole)).epsilon(1e-9));
 
   StringLayer born(plain_string(3.66, 0.038, 6), kStringRate, 1, 0);
-  played(born, six, Blows(130, Impact{0, 0, 0}));
-  Blows blows(fade / kChunk, Impact{0, 0, 0});
+  played(born, six, BlowPerChunk(130, Impact{0, 0, 0}));
+  BlowPerChunk blows(fade / kChunk, Impact{0, 0, 0});
   blows[0] = {3.25, 1, 1};
   const std::vector<double> full = played(born, six, blows), in = played(changes, six, blows);
   REQUIRE(largest(full) > 1e-4);
@@ -185,9 +185,9 @@ TEST_CASE("a snap is as loud as its model says, whatever rang before") {
     model.snap_db = snap_db;
     StringLayer layer(model, kStringRate, 1, 0);
     StringInput input = steady(0);
-    played(layer, input, Blows(100, Impact{0, 0, 0}));
+    played(layer, input, BlowPerChunk(100, Impact{0, 0, 0}));
     input.broken = true;
-    return played(layer, input, Blows(200, Impact{0, 0, 0}));
+    return played(layer, input, BlowPerChunk(200, Impact{0, 0, 0}));
   };
   const std::vector<double> quiet = snap(0), loud = snap(20);
   REQUIRE(largest(quiet) > 0);
