@@ -1,12 +1,9 @@
 #include "analyzer/source_hash.hpp"
 
-#include <fmt/format.h>
-#include <openssl/evp.h>
-
 #include <fstream>
-#include <memory>
 #include <vector>
 
+#include "rigsound/config/sha256.hpp"
 #include "rigsound/machine/input_error.hpp"
 
 namespace rigsound::analysis {
@@ -16,17 +13,11 @@ std::string file_sha256(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in || std::filesystem::is_directory(path, none))
     throw InputError(path.string(), "cannot be read, expected a recording");
-  const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> digest(EVP_MD_CTX_new(), &EVP_MD_CTX_free);
-  EVP_DigestInit_ex(digest.get(), EVP_sha256(), nullptr);
+  config::Sha256 hash;
   std::vector<char> buffer(1 << 16);
   while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())), in.gcount() > 0)
-    EVP_DigestUpdate(digest.get(), buffer.data(), static_cast<std::size_t>(in.gcount()));
-  unsigned char bytes[EVP_MAX_MD_SIZE];
-  unsigned size = 0;
-  EVP_DigestFinal_ex(digest.get(), bytes, &size);
-  std::string hex;
-  for (unsigned i = 0; i < size; ++i) hex += fmt::format("{:02x}", bytes[i]);
-  return hex;
+    hash.update(buffer.data(), static_cast<std::size_t>(in.gcount()));
+  return hash.hex();
 }
 
 std::string SourceHash::sha256() {

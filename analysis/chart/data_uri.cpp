@@ -1,14 +1,12 @@
 #include "rigsound/analysis/data_uri.hpp"
 
-#include <openssl/evp.h>
+#include <nettle/base64.h>
 
 namespace rigsound::chart {
 
 std::string data_uri(const char* type, std::string_view bytes) {
-  std::string base64((bytes.size() + 2) / 3 * 4 + 1, '\0');  // the encoder ends with a zero
-  base64.resize(static_cast<std::size_t>(EVP_EncodeBlock(reinterpret_cast<unsigned char*>(base64.data()),
-                                                         reinterpret_cast<const unsigned char*>(bytes.data()),
-                                                         static_cast<int>(bytes.size()))));
+  std::string base64(BASE64_ENCODE_RAW_LENGTH(bytes.size()), '\0');
+  base64_encode_raw(base64.data(), bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
   return std::string("data:") + type + ";base64," + base64;
 }
 

@@ -22,12 +22,12 @@ RULES = {
     'engine/machine': (('engine/dsp',), ()),
     'engine': (GROUND, ()),
     'drivers': ((*GROUND, 'engine'), ('modbus', 'alsa/', 'lo/', 'sndfile', 'pcap', 'readerwriterqueue', 'nlohmann/', 'POSIX')),
-    'config': ((*GROUND, 'engine', 'drivers'), ('toml++/', 'nlohmann/', 'sndfile', 'openssl/', 'fmt/')),
+    'config': ((*GROUND, 'engine', 'drivers'), ('toml++/', 'nlohmann/', 'sndfile', 'nettle/', 'fmt/')),
     'analysis': ((*GROUND, 'engine', 'drivers', 'config'),
-                 ('Eigen/', 'unsupported/Eigen/', 'nlopt', 'sndfile', 'samplerate', 'nlohmann/', 'openssl/', 'fmt/',
+                 ('Eigen/', 'unsupported/Eigen/', 'nlopt', 'sndfile', 'samplerate', 'nlohmann/', 'nettle/', 'fmt/',
                   'math.h', 'png.h', 'ft2build.h')),
     'tools': ((*GROUND, 'engine', 'drivers', 'config', 'analysis'),
-              ('CLI/', 'fmt/', 'httplib.h', 'spdlog/', 'nlohmann/', 'openssl/', 'readerwriterqueue', 'systemd/', 'POSIX')),
+              ('CLI/', 'fmt/', 'httplib.h', 'spdlog/', 'nlohmann/', 'nettle/', 'readerwriterqueue', 'systemd/', 'POSIX')),
 }
 # Inside engine/, from the ground up: a part may include itself and the floors below. Public headers stand on the
 # floor of what they describe; files and headers not named here are the models on the ground or engine.cpp on top.

@@ -17,6 +17,7 @@
 #include "rigsound/audio/file_sink.hpp"
 #include "rigsound/config/fingerprint.hpp"
 #include "rigsound/config/rig.hpp"
+#include "rigsound/config/sha256.hpp"
 #include "rigsound/default_diesel.hpp"
 #include "rigsound/engine_sound.hpp"
 #include "rigsound/file/read_files.hpp"
@@ -25,7 +26,6 @@
 #include "rigsound/session/session_folder.hpp"
 #include "rigsound/session/session_states.hpp"
 #include "rigsound/session/table_states.hpp"
-#include "sha256.hpp"
 #include "standard_output.hpp"
 #include "verbs.hpp"
 
@@ -71,7 +71,7 @@ void render(config::Rig& rig, audio::StateSource& states, const Share& share, au
   Engine engine = config::build_engine(rig, std::move(sounds));
   require_apart({options.out}, config::files_of(rig));
   const audio::BlockRange part = audio::blocks_of(options.from_s, options.to_s, rig.engine);
-  std::optional<Sha256> digest;
+  std::optional<config::Sha256> digest;
   audio::FileSink::Tap hash;
   if (!options.no_hash)
     hash = [&digest = digest.emplace()](const void* bytes, std::size_t size) { digest.update(bytes, size); };

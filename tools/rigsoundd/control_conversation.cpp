@@ -1,6 +1,6 @@
 #include "control_conversation.hpp"
 
-#include <openssl/crypto.h>
+#include <nettle/memops.h>
 
 #include "rigsound/config/json.hpp"
 #include "snapshot_json.hpp"
@@ -13,7 +13,7 @@ bool ControlConversation::is_token(const std::string& request) const {
   if (!said.is_object() || said.size() != 1 || !said.contains("token") || !said["token"].is_string())
     return false;
   const std::string& token = said["token"].get_ref<const std::string&>();
-  return token.size() == token_.size() && ::CRYPTO_memcmp(token.data(), token_.data(), token.size()) == 0;
+  return token.size() == token_.size() && memeql_sec(token.data(), token_.data(), token.size()) != 0;
 }
 
 std::string ControlConversation::answer(const std::string& request) {

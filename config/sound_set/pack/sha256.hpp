@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4): libcrypto's, and a plain one for engine.wasm, which links no library.
+// SHA-256 (FIPS 180-4): nettle's, and a plain one for engine.wasm, which links no library.
 #pragma once
 
 #include <array>

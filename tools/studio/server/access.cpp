@@ -1,6 +1,6 @@
 #include "access.hpp"
 
-#include <openssl/crypto.h>
+#include <nettle/memops.h>
 #include <sys/random.h>
 
 #include <array>
@@ -16,7 +16,7 @@ constexpr std::string_view kApi = "/api/";
 
 /// Takes as long for a wrong first letter as for a wrong last one.
 bool same(const std::string& a, const std::string& b) {
-  return a.size() == b.size() && ::CRYPTO_memcmp(a.data(), b.data(), a.size()) == 0;
+  return a.size() == b.size() && memeql_sec(a.data(), b.data(), a.size()) != 0;
 }
 
 bool starts_with(const std::string& text, std::string_view start) {

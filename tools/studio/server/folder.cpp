@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "http.hpp"
+#include "rigsound/config/sha256.hpp"
 #include "rigsound/device_error.hpp"
 #include "rigsound/file/atomic_file.hpp"
 #include "rigsound/file/input_file.hpp"
-#include "sha256.hpp"
 
 namespace rigsound::studio {
 namespace fs = std::filesystem;
@@ -18,7 +18,7 @@ namespace {
 constexpr std::uintmax_t kMostVersioned = 64 << 20;
 
 std::string digits_of(const std::string& bytes, std::size_t count) {
-  tools::Sha256 hash;
+  config::Sha256 hash;
   hash.update(bytes.data(), bytes.size());
   return hash.hex().substr(0, count);
 }

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "rigsound/analysis/recording.hpp"
+#include "rigsound/config/sha256.hpp"
 #include "rigsound/file/ending.hpp"
-#include "sha256.hpp"
 
 namespace rigsound::studio {
 namespace fs = std::filesystem;
@@ -27,7 +27,7 @@ std::string hash_of(const fs::path& file) {
   constexpr std::size_t kPieceBytes = 4096;
   struct stat status {};
   if (::stat(file.c_str(), &status) != 0) return "absent";
-  tools::Sha256 hash;
+  config::Sha256 hash;
   const auto feed = [&hash](auto value) { hash.update(&value, sizeof value); };
   feed(status.st_size), feed(status.st_mtim.tv_sec), feed(status.st_mtim.tv_nsec), feed(status.st_ino);
   std::ifstream in(file, std::ios::binary);

@@ -2,7 +2,7 @@
 #include "report/player.hpp"
 
 #include <doctest/doctest.h>
-#include <openssl/evp.h>
+#include <nettle/base64.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,9 +32,13 @@ std::vector<std::vector<float>> sounds_in(const std::string& page) {
   std::vector<std::vector<float>> sounds;
   for (std::size_t at = page.find(start); at != std::string::npos; at = page.find(start, at + 1)) {
     const std::size_t from = at + start.size(), length = page.find('"', at) - from;
-    std::string bytes(length, '\0');
-    EVP_DecodeBlock(reinterpret_cast<unsigned char*>(bytes.data()),
-                    reinterpret_cast<const unsigned char*>(page.data() + from), static_cast<int>(length));
+    std::string bytes(BASE64_DECODE_LENGTH(length), '\0');
+    base64_decode_ctx decoder;
+    base64_decode_init(&decoder);
+    std::size_t size = 0;
+    REQUIRE(base64_decode_update(&decoder, &size, reinterpret_cast<std::uint8_t*>(bytes.data()), length,
+                                 page.data() + from) == 1);
+    bytes.resize(size);
     const auto file = folder.path / "sound.flac";
     std::ofstream(file, std::ios::binary) << bytes;
     sounds.push_back(read_recording(file).mono);

@@ -1,4 +1,4 @@
-// Our own SHA-256, for where there is no libcrypto, against libcrypto's and the standard's examples.
+// Our own SHA-256, for where there is no nettle, against nettle's and the standard's examples.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -36,7 +36,7 @@ TEST_CASE("the examples of FIPS 180") {
         "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
 }
 
-TEST_CASE("every length around the ends of blocks has libcrypto's hash") {
+TEST_CASE("every length around the ends of blocks has nettle's hash") {
   std::string bytes;
   for (int size = 0; size <= 300; ++size) {
     CAPTURE(size);
