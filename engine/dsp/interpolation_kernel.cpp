@@ -8,10 +8,10 @@
 namespace rigsound::dsp {
 namespace {
 
-/// Modified Bessel function of order zero, its power series: 60 terms reach the last bit for x <= 20.
+/// Modified Bessel function of order zero, its power series up to the last bit: 60 terms at most for x <= 20.
 double bessel_i0(double x) {
   double sum = 1, term = 1;
-  for (int k = 1; k < 60; ++k) term *= (x / (2 * k)) * (x / (2 * k)), sum += term;
+  for (int k = 1; k < 60 && sum + term != sum; ++k) term *= (x / (2 * k)) * (x / (2 * k)), sum += term;
   return sum;
 }
 
@@ -20,14 +20,14 @@ double bessel_i0(double x) {
 InterpolationKernel::InterpolationKernel(int taps, int phases, double beta, double cut)
     : taps_(taps), phases_(phases) {
   rows_.reserve(static_cast<std::size_t>((phases + 1) * taps));
-  const double half = taps / 2.0;
+  const double half = taps / 2.0, window_peak = bessel_i0(beta);
   for (int row = 0; row <= phases; ++row) {
     double sum = 0;
     const std::size_t start = rows_.size();
     for (int k = 0; k < taps; ++k) {
       const double t = k + 1 - half - static_cast<double>(row) / phases;
       const double inside = 1 - t * t / (half * half);
-      const double window = inside > 0 ? bessel_i0(beta * std::sqrt(inside)) / bessel_i0(beta) : 0.0;
+      const double window = inside > 0 ? bessel_i0(beta * std::sqrt(inside)) / window_peak : 0.0;
       const double sinc = t == 0 ? 1.0 : sin(kPi * cut * t) / (kPi * cut * t);
       rows_.push_back(sinc * window);
       sum += rows_.back();

@@ -53,6 +53,7 @@ double LookaheadLimiter::lowest_wish() const noexcept {
 }
 
 void LookaheadLimiter::move_gain(double wish) noexcept {
+  if (wish == 1 && wished_ == 0 && gain_.is_one()) return;  // all that is held is 1, wherever its turn is
   wishes_[next_wish_] = wish;
   next_wish_ = following(next_wish_, wishes_);
   wished_ = wish < 1 ? wishes_.size() : wished_ > 0 ? wished_ - 1 : 0;
