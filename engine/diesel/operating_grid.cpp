@@ -1,6 +1,8 @@
 #include "diesel/operating_grid.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "diesel/order_tables.hpp"
 #include "diesel/source_point.hpp"
@@ -35,49 +37,68 @@ std::vector<float> exponentials(const std::vector<double>& logarithms) {
   return y;
 }
 
-/// Of every channel with the body on it; channel q lies at order (q + 1/2) / 2.
-std::vector<float> low_deviations(const DieselModel& model, const SourcePoint& source, double rpm) {
+/// `deviations` with the body on them; channel q lies at order (q + 1/2) / 2.
+std::vector<float> with_body(const DieselModel& model, const std::vector<float>& deviations, double rpm) {
   const auto channels = static_cast<std::size_t>(model.low_channels),
              groups = std::size_t{WaveletTree::kGroups};
-  const std::size_t rows = source.lo.size() / channels, width = channels / groups;
-  std::vector<float> lo(source.lo.size());
+  const std::size_t rows = deviations.size() / channels, width = channels / groups;
+  std::vector<float> lo(deviations.size());
   for (std::size_t q = 0; q < channels; ++q) {
     const double f = (static_cast<double>(q) + 0.5) / 2 * cycles_per_second(rpm);
     const auto body = static_cast<float>(dsp::gain_of_db(body_db(model.body, f)));
     for (std::size_t row = 0; row < rows; ++row)
-      lo[(q % groups * rows + row) * width + q / groups] =
-          static_cast<float>(dsp::exp(source.lo[row * channels + q])) * body;
+      lo[(q % groups * rows + row) * width + q / groups] = deviations[row * channels + q] * body;
   }
   return lo;
 }
 
-/// All but the table.
-OperatingState spreads_of(const DieselModel& model, const SourcePoint& source, double rpm) {
-  OperatingState state;
-  state.hi = exponentials(source.hi);
-  state.lo = low_deviations(model, source, rpm);
-  state.s.assign(source.s.begin(), source.s.end());
-  state.rho = source.rho;
-  return state;
+/// What is the same wherever the model is held.
+struct Source {
+  explicit Source(SourcePoint at)
+      : point(std::move(at)),
+        lo(exponentials(point.lo)),
+        slots(std::make_shared<const SlotStatistics>(
+            SlotStatistics{exponentials(point.hi), {point.s.begin(), point.s.end()}, point.rho})) {}
+
+  SourcePoint point;
+  std::vector<float> lo;  // without the body
+  std::shared_ptr<const SlotStatistics> slots;
+};
+
+/// out[i] = the weighted sum of the neighbours' values_of(state)[first + i].
+template <class ValuesOf>
+void mix_values(const OperatingGrid& grid, const GridPlace& place, ValuesOf values_of, int first, int count,
+                double* out) noexcept {
+  std::fill(out, out + count, 0.0);
+  for (std::size_t n = 0; n < place.index.size(); ++n) {
+    if (place.weight[n] == 0) continue;
+    const float* values = values_of(grid.state(place.index[n])).data() + first;
+    int i = 0;
+    for (; i + 1 < count; i += 2)
+      dsp::store(out + i, dsp::load(out + i) + place.weight[n] * dsp::load(values + i));
+    if (i < count) out[i] += place.weight[n] * static_cast<double>(values[i]);
+  }
 }
 
 }  // namespace
 
 OperatingGrid::OperatingGrid(const DieselModel& model, double sample_rate) : loads_(load_axis(model)) {
-  double slowest = kTop_rpm;
-  for (const DieselPoint& p : model.points) slowest = std::min(slowest, p.rpm);
-  rpm_min_ = kBelow * slowest;
-  speeds_ = 1 + static_cast<int>(std::ceil(kPerOctave * dsp::log(kTop_rpm / rpm_min_) / dsp::kLn2));
   const SourceMap sources(model);
+  rpm_min_ = kBelow * std::min(sources.held(0), kTop_rpm);
+  speeds_ = 1 + static_cast<int>(std::ceil(kPerOctave * dsp::log(kTop_rpm / rpm_min_) / dsp::kLn2));
   OrderTables tables(model, sample_rate);
-  for (const double load : loads_)
+  for (const double load : loads_) {
+    std::optional<Source> source;
+    double held_rpm = 0;
     for (int i = 0; i < speeds_; ++i) {
       const double rpm = rpm_min_ * dsp::exp(dsp::kLn2 * i / kPerOctave);
-      const SourcePoint source = sources.at(rpm, load);
-      tables.put(states_.size() % 2 == 1, source, cycles_per_second(rpm));
-      states_.push_back(spreads_of(model, source, rpm));
+      if (!source || sources.held(rpm) != held_rpm) source.emplace(sources.at(rpm, load));
+      held_rpm = sources.held(rpm);
+      tables.put(states_.size() % 2 == 1, source->point, cycles_per_second(rpm));
+      states_.push_back({{}, with_body(model, source->lo, rpm), source->slots});
       if (states_.size() % 2 == 0) tables.take(states_[states_.size() - 2].table, states_.back().table);
     }
+  }
   if (states_.size() % 2 == 1) {
     std::vector<float> nothing;
     tables.take(states_.back().table, nothing);
@@ -105,15 +126,14 @@ GridPlace OperatingGrid::place(double rpm, double load) const noexcept {
 
 void OperatingGrid::mix(const GridPlace& place, std::vector<float> OperatingState::*member, int first,
                         int count, double* out) const noexcept {
-  std::fill(out, out + count, 0.0);
-  for (std::size_t n = 0; n < place.index.size(); ++n) {
-    if (place.weight[n] == 0) continue;
-    const float* values = (state(place.index[n]).*member).data() + first;
-    int i = 0;
-    for (; i + 1 < count; i += 2)
-      dsp::store(out + i, dsp::load(out + i) + place.weight[n] * dsp::load(values + i));
-    if (i < count) out[i] += place.weight[n] * static_cast<double>(values[i]);
-  }
+  const auto values = [member](const OperatingState& s) -> const auto& { return s.*member; };
+  mix_values(*this, place, values, first, count, out);
+}
+
+void OperatingGrid::mix(const GridPlace& place, std::vector<float> SlotStatistics::*member, int first,
+                        int count, double* out) const noexcept {
+  const auto values = [member](const OperatingState& s) -> const auto& { return (*s.slots).*member; };
+  mix_values(*this, place, values, first, count, out);
 }
 
 void OperatingGrid::table(const GridPlace& place, int first, int count, float* out) const noexcept {
@@ -131,7 +151,8 @@ void OperatingGrid::table(const GridPlace& place, int first, int count, float* o
 
 double OperatingGrid::rho(const GridPlace& place) const noexcept {
   double sum = 0;
-  for (std::size_t n = 0; n < place.index.size(); ++n) sum += place.weight[n] * state(place.index[n]).rho;
+  for (std::size_t n = 0; n < place.index.size(); ++n)
+    sum += place.weight[n] * state(place.index[n]).slots->rho;
   return sum;
 }
 

@@ -25,9 +25,9 @@ SlotSource::SlotSource(const DieselModel& model, double sample_rate, std::uint64
 void SlotSource::produce(const OperatingGrid& grid, const GridPlace& place, double f, double* out) noexcept {
   // Frame t spans the hops t - 1 and t; the hop that comes out now began with the frame before this one.
   const int slot = static_cast<int>((frame_ + 1) % static_cast<std::uint64_t>(L_));
-  grid.mix(place, &OperatingState::hi, slot * bands_, bands_, deviation_.data());
+  grid.mix(place, &SlotStatistics::hi, slot * bands_, bands_, deviation_.data());
   double s = 0;
-  grid.mix(place, &OperatingState::s, slot, 1, &s);
+  grid.mix(place, &SlotStatistics::s, slot, 1, &s);
   const double rho = grid.rho(place);
   z_ = rho * z_ + std::sqrt(1 - rho * rho) * random_.normal(frame_, 0);
   const double gain = dsp::exp(0.5 * (s * z_ - 0.5 * s * s));

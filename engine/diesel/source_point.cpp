@@ -86,6 +86,9 @@ SourceMap::SourceMap(const DieselModel& model) {
     if (rows_.empty() || rows_.back().load != point->load) rows_.push_back({point->load, {}});
     rows_.back().points.push_back({point->rpm, source_of(model, *point)});
   }
+  const auto by_rpm = [](const DieselPoint& a, const DieselPoint& b) { return a.rpm < b.rpm; };
+  const auto ends = std::minmax_element(model.points.begin(), model.points.end(), by_rpm);
+  slowest_rpm_ = ends.first->rpm, fastest_rpm_ = ends.second->rpm;
 }
 
 SourcePoint SourceMap::along(const Row& row, double rpm) {

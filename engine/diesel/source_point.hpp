@@ -1,6 +1,7 @@
 // A background point freed from the body, in logarithms: the form in which points are joined.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "rigsound/diesel_model.hpp"
@@ -34,6 +35,9 @@ class SourceMap {
   /// outside.
   SourcePoint at(double rpm, double load) const;
 
+  /// The nearest speed that lies between points: at() is the same there.
+  double held(double rpm) const { return std::clamp(rpm, slowest_rpm_, fastest_rpm_); }
+
  private:
   struct Known {
     double rpm;
@@ -47,6 +51,7 @@ class SourceMap {
   static SourcePoint along(const Row& row, double rpm);
 
   std::vector<Row> rows_;  ///< by load
+  double slowest_rpm_, fastest_rpm_;
 };
 
 }  // namespace rigsound::diesel

@@ -177,9 +177,9 @@ TEST_CASE(
           doctest::Approx(0.02 * std::cos(angle) - 0.01 * std::sin(2 * angle)).scale(0.02).epsilon(1e-3));
   }
   double hi[4], lo[4], s[4];
-  grid.mix(place, &OperatingState::hi, 2, 4, hi);
+  grid.mix(place, &SlotStatistics::hi, 2, 4, hi);
   grid.mix(place, &OperatingState::lo, 300, 4, lo);
-  grid.mix(place, &OperatingState::s, 60, 4, s);
+  grid.mix(place, &SlotStatistics::s, 60, 4, s);
   for (int i = 0; i < 4; ++i) {
     CHECK(hi[i] == doctest::Approx(std::sqrt(0.08)).epsilon(1e-3));
     CHECK(lo[i] == doctest::Approx(std::sqrt(0.08)).epsilon(1e-3));
