@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "rigsound/dsp/elementary.hpp"
 #include "rigsound/dsp/linear_prediction.hpp"
@@ -47,8 +48,12 @@ std::vector<float> body_filter(double sample_rate, double f_x) {
   for (int bin = 0; bin < kBins; ++bin) {
     const double f = (bin + 0.5) / kBins * sample_rate / 2;
     const double power = body_power(std::max(f, f_x)) + 1e-5;
-    for (std::size_t lag = 0; lag < r.size(); ++lag)
-      r[lag] += power * dsp::cos(dsp::kTwoPi * f / sample_rate * static_cast<double>(lag));
+    const double first = dsp::cos(dsp::kTwoPi * f / sample_rate);
+    double cosine = 1, before = first;  // cos (n + 1) x = 2 cos x cos n x - cos (n - 1) x
+    for (double& sum : r) {
+      sum += power * cosine;
+      before = std::exchange(cosine, 2 * first * cosine - before);
+    }
   }
   const std::vector<double> a = dsp::levinson(r).a;
   return {a.begin(), a.end()};

@@ -31,9 +31,9 @@ std::vector<double> load_axis(const DieselModel& model) {
 }
 
 std::vector<float> exponentials(const std::vector<double>& logarithms) {
-  std::vector<float> y;
-  y.reserve(logarithms.size());
-  for (const double x : logarithms) y.push_back(static_cast<float>(dsp::exp(x)));
+  std::vector<float> y(logarithms.size());
+  std::transform(logarithms.begin(), logarithms.end(), y.begin(),
+                 [](double x) { return static_cast<float>(dsp::exp(x)); });
   return y;
 }
 
@@ -54,13 +54,13 @@ std::vector<float> with_body(const DieselModel& model, const std::vector<float>&
 
 /// What is the same wherever the model is held.
 struct Source {
-  explicit Source(SourcePoint at)
-      : point(std::move(at)),
+  explicit Source(const SourcePoint& point)
+      : orders(point),
         lo(exponentials(point.lo)),
         slots(std::make_shared<const SlotStatistics>(
             SlotStatistics{exponentials(point.hi), {point.s.begin(), point.s.end()}, point.rho})) {}
 
-  SourcePoint point;
+  OrderTables::Source orders;
   std::vector<float> lo;  // without the body
   std::shared_ptr<const SlotStatistics> slots;
 };
@@ -94,7 +94,7 @@ OperatingGrid::OperatingGrid(const DieselModel& model, double sample_rate) : loa
       const double rpm = rpm_min_ * dsp::exp(dsp::kLn2 * i / kPerOctave);
       if (!source || sources.held(rpm) != held_rpm) source.emplace(sources.at(rpm, load));
       held_rpm = sources.held(rpm);
-      tables.put(states_.size() % 2 == 1, source->point, cycles_per_second(rpm));
+      tables.put(states_.size() % 2 == 1, source->orders, cycles_per_second(rpm));
       states_.push_back({{}, with_body(model, source->lo, rpm), source->slots});
       if (states_.size() % 2 == 0) tables.take(states_[states_.size() - 2].table, states_.back().table);
     }

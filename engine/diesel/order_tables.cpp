@@ -11,6 +11,10 @@ constexpr double kFadeFrom = 0.42, kFadeTo = 0.46;  // of the sampling rate: ord
 
 }  // namespace
 
+OrderTables::Source::Source(const SourcePoint& point) : level(point.level) {
+  for (const double phase : point.phase) re.push_back(dsp::cos(phase)), im.push_back(dsp::sin(phase));
+}
+
 OrderTables::OrderTables(const DieselModel& model, double sample_rate)
     : model_(model),
       sample_rate_(sample_rate),
@@ -18,7 +22,7 @@ OrderTables::OrderTables(const DieselModel& model, double sample_rate)
       re_(static_cast<std::size_t>(model.angle_samples)),
       im_(re_.size()) {}
 
-void OrderTables::put(bool second, const SourcePoint& source, double f) {
+void OrderTables::put(bool second, const Source& source, double f) {
   const std::size_t last = std::min(source.level.size(), re_.size() / 2 - 1);
   for (std::size_t k = 1; k <= last; ++k) {
     const double f_k = static_cast<double>(k) * f;
@@ -26,7 +30,7 @@ void OrderTables::put(bool second, const SourcePoint& source, double f) {
     if (fade == 0) break;
     const double body = body_db(model_.body, f_k) * (dsp::kLn10 / 20);
     const double half = fade * dsp::exp(source.level[k - 1] + body) / 2;
-    const double re = half * dsp::cos(source.phase[k - 1]), im = half * dsp::sin(source.phase[k - 1]);
+    const double re = half * source.re[k - 1], im = half * source.im[k - 1];
     const std::size_t mirror = re_.size() - k;
     re_[k] += second ? -im : re, im_[k] += second ? re : im;
     re_[mirror] += second ? im : re, im_[mirror] += second ? re : -im;

@@ -12,12 +12,19 @@ namespace rigsound::diesel {
 /// OFF.
 class OrderTables {
  public:
+  /// The orders of a point without the body, each as ln |C_k| and C_k / |C_k|.
+  struct Source {
+    explicit Source(const SourcePoint& point);
+
+    std::vector<double> level, re, im;
+  };
+
   /// `model` outlives it.
   OrderTables(const DieselModel& model, double sample_rate);
 
   /// The orders of the first or the second state, at `f` cycles per second, with the body on them; those that
   /// would fold over fade out.
-  void put(bool second, const SourcePoint& source, double f);
+  void put(bool second, const Source& source, double f);
 
   /// One cycle of each, N_theta samples; that of a state not put is rounding. Then it is empty again.
   void take(std::vector<float>& first, std::vector<float>& second);

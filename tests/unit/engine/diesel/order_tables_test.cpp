@@ -44,13 +44,13 @@ TEST_CASE("two states share a transform, and each table is the sum of its own or
   const DieselModel model = plain_model();
   OrderTables tables(model, kRate);
   std::vector<float> first, second;
-  tables.put(false, slow, 5);
-  tables.put(true, fast, 7);
+  tables.put(false, OrderTables::Source(slow), 5);
+  tables.put(true, OrderTables::Source(fast), 7);
   tables.take(first, second);
   check_table(first, slow);
   check_table(second, fast);
 
-  tables.put(false, fast, 7);
+  tables.put(false, OrderTables::Source(fast), 7);
   tables.take(first, second);
   check_table(first, fast);
   for (const float nothing : second) CHECK(std::fabs(nothing) < 1e-14F);
@@ -63,7 +63,7 @@ TEST_CASE("no order of a table folds over") {
   OrderTables tables(model, kRate);
   std::vector<float> table, none;
   const double f = 100;  // order 220 lies at 22 kHz, where no order is left
-  tables.put(false, high, f);
+  tables.put(false, OrderTables::Source(high), f);
   tables.take(table, none);
   double re = 0, im = 0;
   for (std::size_t n = 0; n < table.size(); ++n) {
