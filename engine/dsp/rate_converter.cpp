@@ -6,6 +6,7 @@
 
 #include "rate_converter_rows.hpp"
 #include "rigsound/dsp/interpolation_kernel.hpp"
+#include "rigsound/dsp/lane_width.hpp"
 #include "rigsound/dsp/lanes.hpp"
 
 namespace rigsound::dsp {
@@ -49,7 +50,8 @@ void RateConverter::convert(const float* signal, std::size_t samples, float* out
   std::copy_n(signal, samples, x.begin() + before_);
   const PhaseRows rows{weights_.data(), up_, down_, taps_};
 #ifdef RIGSOUND_AVX2
-  if (__builtin_cpu_supports("avx2")) return convert_rows_eight(rows, x.data(), out, converted_size(samples));
+  if (widest_lanes() == LaneWidth::kFour)
+    return convert_rows_eight(rows, x.data(), out, converted_size(samples));
 #endif
   convert_rows<dot>(rows, x.data(), out, converted_size(samples));
 }

@@ -19,7 +19,7 @@ constexpr double kSilent = 1e-40;    // squared; what is less is zeroed before i
 
 }  // namespace
 
-BendingModes::BendingModes(const StringModel& model, double sample_rate, LaneWidth width)
+BendingModes::BendingModes(const StringModel& model, double sample_rate, dsp::LaneWidth width)
     : kernel_(string_kernel(width)),
       table_(model, sample_rate),
       sample_rate_(sample_rate),

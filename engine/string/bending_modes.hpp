@@ -10,7 +10,7 @@ namespace rigsound::string {
 class BendingModes {
  public:
   /// Silent, the whole rod exposed and free. Thread: OFF.
-  BendingModes(const StringModel& model, double sample_rate, LaneWidth width);
+  BendingModes(const StringModel& model, double sample_rate, dsp::LaneWidth width);
 
   /// Takes effect within four chunks, a quarter of the modes each, the highest at once. `contact` 0...1
   /// damps. Thread: RT.

@@ -20,7 +20,7 @@ int longest_delay(const std::vector<StringTuning>& tunings) noexcept {
 
 }  // namespace
 
-LongitudinalString::LongitudinalString(const StringModel& model, double sample_rate, LaneWidth width)
+LongitudinalString::LongitudinalString(const StringModel& model, double sample_rate, dsp::LaneWidth width)
     : kernel_(string_kernel(width)), guided_samples_(model.guided_s * sample_rate) {
   for (int rods = 1; rods <= kMaxRods; ++rods) tunings_.push_back(tune_string(model, rods, sample_rate));
   stride_ = longest_delay(tunings_) + kBehind + kSlack;

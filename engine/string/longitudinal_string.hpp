@@ -12,7 +12,7 @@ namespace rigsound::string {
 class LongitudinalString {
  public:
   /// Silent, with the model's rods. Thread: OFF.
-  LongitudinalString(const StringModel& model, double sample_rate, LaneWidth width);
+  LongitudinalString(const StringModel& model, double sample_rate, dsp::LaneWidth width);
 
   LongitudinalString(LongitudinalString&&) = default;  // the lines stay where they are
   LongitudinalString(const LongitudinalString& other);

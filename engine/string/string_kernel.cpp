@@ -9,9 +9,9 @@
 
 namespace rigsound::string {
 
-const StringKernel& string_kernel([[maybe_unused]] LaneWidth width) noexcept {
+const StringKernel& string_kernel([[maybe_unused]] dsp::LaneWidth width) noexcept {
 #ifdef RIGSOUND_AVX2
-  if (width == LaneWidth::kFour) return string_kernel_four();
+  if (width == dsp::LaneWidth::kFour) return string_kernel_four();
 #endif
   return kKernel;
 }

@@ -2,12 +2,10 @@
 // lanes never mix but in one written sum.
 #pragma once
 
+#include "rigsound/dsp/lane_width.hpp"
 #include "string/string_state.hpp"
-#include "tool/bar_kernel.hpp"
 
 namespace rigsound::string {
-
-using tool::LaneWidth;
 
 /// Input and sound of the lines, kChunk samples each.
 struct LinesDrive {
@@ -40,6 +38,6 @@ struct StringKernel {
 };
 
 /// Thread: any.
-const StringKernel& string_kernel(LaneWidth width) noexcept;
+const StringKernel& string_kernel(dsp::LaneWidth width) noexcept;
 
 }  // namespace rigsound::string

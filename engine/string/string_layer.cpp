@@ -39,7 +39,7 @@ double smoothstep(double x) noexcept { return x * x * (3 - 2 * x); }
 }  // namespace
 
 StringLayer::StringLayer(const StringModel& model, double sample_rate, std::uint64_t seed, int boom,
-                         LaneWidth width)
+                         dsp::LaneWidth width)
     : model_(checked(model)),
       impedance_(rod_impedance(model) * sample_rate),
       width_samples_(model.strike_width_s * sample_rate),

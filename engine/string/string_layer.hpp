@@ -16,7 +16,7 @@ class StringLayer {
  public:
   /// Throws std::invalid_argument, naming the key, when the model makes no sense. Thread: OFF.
   StringLayer(const StringModel& model, double sample_rate, std::uint64_t seed, int boom,
-              LaneWidth width = tool::widest_lanes());
+              dsp::LaneWidth width = dsp::widest_lanes());
 
   /// The next kChunk samples, struck by `impacts`; false: all of them are zero. Thread: RT.
   bool process(const StringInput& input, const Impacts& impacts, double* out) noexcept;

@@ -22,16 +22,9 @@ void run_in_sequence(BarState& state, const BarDrive& drive, double* out, Bar ba
 
 }  // namespace
 
-LaneWidth widest_lanes() noexcept {
+BarKernel section_kernel(const Seats (&seats)[2], [[maybe_unused]] dsp::LaneWidth width) noexcept {
 #ifdef RIGSOUND_AVX2
-  if (__builtin_cpu_supports("avx2")) return LaneWidth::kFour;
-#endif
-  return LaneWidth::kTwo;
-}
-
-BarKernel section_kernel(const Seats (&seats)[2], [[maybe_unused]] LaneWidth width) noexcept {
-#ifdef RIGSOUND_AVX2
-  if (width == LaneWidth::kFour) return section_kernel_four(seats);
+  if (width == dsp::LaneWidth::kFour) return section_kernel_four(seats);
 #endif
   const int vectors_T = seats[kTransversal].vectors;
   if (seats[kLongitudinal].base == 0) return sections_with<0>(vectors_T, SharedCounts{});
@@ -39,9 +32,9 @@ BarKernel section_kernel(const Seats (&seats)[2], [[maybe_unused]] LaneWidth wid
                                            : sections_with<2>(vectors_T, SectionCounts{});
 }
 
-BarKernel paper_kernel(int vectors, [[maybe_unused]] LaneWidth width) noexcept {
+BarKernel paper_kernel(int vectors, [[maybe_unused]] dsp::LaneWidth width) noexcept {
 #ifdef RIGSOUND_AVX2
-  if (width == LaneWidth::kFour) return paper_kernel_four(vectors);
+  if (width == dsp::LaneWidth::kFour) return paper_kernel_four(vectors);
 #endif
   return paper_with(vectors, PaperCounts{});
 }

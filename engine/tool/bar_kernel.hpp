@@ -2,24 +2,19 @@
 // mix, and what a lane does is written down in bar_state.hpp.
 #pragma once
 
+#include "rigsound/dsp/lane_width.hpp"
 #include "tool/bar_state.hpp"
 
 namespace rigsound::tool {
-
-/// Lanes in one vector. kTwo is SSE2 or NEON, kFour AVX2.
-enum class LaneWidth : int { kTwo = 2, kFour = 4 };
-
-/// The widest this processor has. Thread: any.
-LaneWidth widest_lanes() noexcept;
 
 /// One chunk: drive.frames samples to `out`, mixed and high-passed. Thread: RT.
 using BarKernel = void (*)(BarState& state, const BarDrive& drive, double* out) noexcept;
 
 /// The kernel for families that sit there; they must fit kLanes. Thread: RT.
-BarKernel section_kernel(const Seats (&seats)[2], LaneWidth width) noexcept;
+BarKernel section_kernel(const Seats (&seats)[2], dsp::LaneWidth width) noexcept;
 
 /// The kernel for that many vectors of the paper's identical sections, within kPaperLanes. Thread: RT.
-BarKernel paper_kernel(int vectors, LaneWidth width) noexcept;
+BarKernel paper_kernel(int vectors, dsp::LaneWidth width) noexcept;
 
 /// Where a delay line is shorter than the skew: one section after another, in the lanes from the base of
 /// their seats up; these count sections. Thread: RT.

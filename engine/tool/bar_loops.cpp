@@ -17,7 +17,7 @@ int stages_of(const LoopDesign& loop) noexcept { return std::max(1, loop.allpass
 
 }  // namespace
 
-BarLoops::BarLoops(const ToolDesign& design, double highpass_hz, LaneWidth width) noexcept {
+BarLoops::BarLoops(const ToolDesign& design, double highpass_hz, dsp::LaneWidth width) noexcept {
   if (design.transversal.allpass.first_orders > 1) {
     place_paper_loops(design, width);
   } else {
@@ -82,7 +82,7 @@ void BarLoops::place_sections(const LoopDesign& loop, Family family, int width) 
   place_filters(loop, family, allpass.first_orders ? -1 : 1);
 }
 
-void BarLoops::place_paper_loops(const ToolDesign& design, LaneWidth width) noexcept {
+void BarLoops::place_paper_loops(const ToolDesign& design, dsp::LaneWidth width) noexcept {
   const int w = static_cast<int>(width), M = design.transversal.allpass.first_orders;
   const int N_T = design.transversal.delay_samples;
   const double a = design.transversal.allpass.a;

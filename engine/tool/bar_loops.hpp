@@ -11,7 +11,7 @@ class BarLoops {
  public:
   /// A silent steel. `design` must have passed require_valid() or come from design_tool(). Thread: RT (no
   /// allocation).
-  BarLoops(const ToolDesign& design, double highpass_hz, LaneWidth width) noexcept;
+  BarLoops(const ToolDesign& design, double highpass_hz, dsp::LaneWidth width) noexcept;
 
   /// drive.frames samples, mixed and high-passed, to `out`; exact zeros while asleep. Thread: RT.
   void process(const BarDrive& drive, double* out) noexcept;
@@ -27,7 +27,7 @@ class BarLoops {
   bool skew_fits(const LoopDesign& loop, Family family) const noexcept;
   void place_sequence(const ToolDesign& design) noexcept;
   void place_sections(const LoopDesign& loop, Family family, int width) noexcept;
-  void place_paper_loops(const ToolDesign& design, LaneWidth width) noexcept;
+  void place_paper_loops(const ToolDesign& design, dsp::LaneWidth width) noexcept;
   void place_filters(const LoopDesign& loop, Family family, double sign) noexcept;
 
   BarState state_{};

@@ -22,7 +22,7 @@ double smoothstep(double x) noexcept { return x * x * (3 - 2 * x); }
 }  // namespace
 
 ToolLayer::ToolLayer(const ToolModel& model, double sample_rate, std::uint64_t seed, int boom,
-                     LaneWidth width)
+                     dsp::LaneWidth width)
     : model_(model),
       sample_rate_(sample_rate),
       width_(width),

@@ -21,7 +21,7 @@ class ToolLayer {
   /// Designs the tool's steels for this rate. Throws std::invalid_argument, naming the key, when the model
   /// makes no sense. Thread: OFF.
   ToolLayer(const ToolModel& model, double sample_rate, std::uint64_t seed, int boom,
-            LaneWidth width = widest_lanes());
+            dsp::LaneWidth width = dsp::widest_lanes());
 
   /// The next kChunk samples, struck by `impacts`; false: all of them are zero. Thread: RT.
   bool process(const ToolInput& input, const Impacts& impacts, double* out) noexcept;
@@ -55,7 +55,7 @@ class ToolLayer {
 
   ToolModel model_;
   double sample_rate_;
-  LaneWidth width_;
+  dsp::LaneWidth width_;
   std::vector<ToolDesign> designs_;  ///< of model_.bar, then of model_.rods
   std::size_t chosen_ = 0;           ///< the one the rods ask for
   ToolDesign wanted_;                ///< what change() asked for

@@ -127,7 +127,7 @@ void add_longitudinal(const StringModel& model, double sample_rate, std::vector<
 void add_bending(const StringModel& model, double exposed_m, double sample_rate,
                  std::vector<StringMode>& modes) {
   const tool::TransversalLaw law(Bar{exposed_m, model.rod_diameter_m});
-  BendingModes bank(model, sample_rate, tool::widest_lanes()), pressed = bank;
+  BendingModes bank(model, sample_rate, dsp::widest_lanes()), pressed = bank;
   bank.set(exposed_m, 0);
   bank.retune();
   pressed.set(exposed_m, 1);

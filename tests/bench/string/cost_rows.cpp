@@ -47,7 +47,7 @@ const std::vector<Workload> kWorkloads = {
 
 int stages(const Workload& w) { return w.rod == Rod::kStands ? 1 : kStages; }
 
-void run(const Workload& w, int chunks, tool::LaneWidth width) {
+void run(const Workload& w, int chunks, dsp::LaneWidth width) {
   double sum = 0;
   for (int stage = 0; stage < stages(w); ++stage) {
     StringModel model = plain_string(w.length_m, w.diameter_m, w.rods);
@@ -126,14 +126,14 @@ void print_lanes(const Costs& costs, const Limit& limit) {
 bool run_string_workload(const char* name, int chunks) {
   for (const Workload& w : kWorkloads)
     if (std::strcmp(w.name, name + 2) == 0) {
-      run(w, chunks, name[0] == '4' ? tool::LaneWidth::kFour : tool::LaneWidth::kTwo);
+      run(w, chunks, name[0] == '4' ? dsp::LaneWidth::kFour : dsp::LaneWidth::kTwo);
       return true;
     }
   return false;
 }
 
 void print_string_cost(const char* program) {
-  if (tool::widest_lanes() != tool::LaneWidth::kFour || counted(program, "2:one-stands", 1) < 0) {
+  if (dsp::widest_lanes() != dsp::LaneWidth::kFour || counted(program, "2:one-stands", 1) < 0) {
     std::puts("SKIPPED: string_bench: instructions: no valgrind or no AVX2");
     return;
   }

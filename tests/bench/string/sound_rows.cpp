@@ -24,7 +24,7 @@ StringInput drilling(int rods, double rock, double contact) {
 
 void print_energy() {
   double string = -1, bending = -1;
-  for (const tool::LaneWidth width : {tool::LaneWidth::kTwo, tool::widest_lanes()})
+  for (const dsp::LaneWidth width : {dsp::LaneWidth::kTwo, dsp::widest_lanes()})
     for (const double L : {0.6, 1.83, 6.4}) {
       string = std::max(string, largest_string_growth(plain_string(L, 0.038, 3), 20000, width));
       bending = std::max(bending, largest_bending_growth(plain_string(L, 0.038, 3), 20000, width));

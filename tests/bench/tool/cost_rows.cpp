@@ -51,7 +51,7 @@ std::array<double, kChunk> filled(double value) {
 }
 
 /// The whole layer, struck every 40 ms.
-Contestant layer(const std::string& name, double wanted_ns, const ToolModel& model, LaneWidth width) {
+Contestant layer(const std::string& name, double wanted_ns, const ToolModel& model, dsp::LaneWidth width) {
   auto tool = std::make_shared<ToolLayer>(model, kRate, 1, 0, width);
   return {name, Whose::kLayer, wanted_ns, 0, [tool](int chunk) {
             double out[kChunk];
@@ -62,7 +62,7 @@ Contestant layer(const std::string& name, double wanted_ns, const ToolModel& mod
 }
 
 /// The loops alone, excitation and reflections ready made: what the Faust program does.
-Contestant loops(const std::string& name, const ToolModel& model, LaneWidth width) {
+Contestant loops(const std::string& name, const ToolModel& model, dsp::LaneWidth width) {
   auto bar = std::make_shared<BarLoops>(design_tool(model, kRate), 800, width);
   return {name, Whose::kLoops, 0, 0, [bar](int chunk) {
             static const std::array<double, kChunk> silence{}, k_T = filled(0.89), k_L = filled(0.94),
@@ -106,13 +106,13 @@ ToolModel sized(const Bar& bar, int stages_T, int stages_L) {
 
 std::vector<Contestant> contestants() {
   const ToolModel small = sized({0.5, 0.025}, 6, 2), large = sized({0.8, 0.015}, 12, 3);
-  std::vector<Contestant> all = {layer("full model T6+L2, SSE2 -O2", 20, small, LaneWidth::kTwo),
-                                 layer("full model T12+L3, SSE2 -O2", 20, large, LaneWidth::kTwo),
-                                 loops("paper's model M=40, SSE2 -O2", paper_model(), LaneWidth::kTwo)};
-  if (widest_lanes() == LaneWidth::kFour) {
-    all.push_back(layer("full model T6+L2, AVX2", 9, small, LaneWidth::kFour));
-    all.push_back(layer("full model T12+L3, AVX2", 12, large, LaneWidth::kFour));
-    all.push_back(loops("paper's model M=40, AVX2", paper_model(), LaneWidth::kFour));
+  std::vector<Contestant> all = {layer("full model T6+L2, SSE2 -O2", 20, small, dsp::LaneWidth::kTwo),
+                                 layer("full model T12+L3, SSE2 -O2", 20, large, dsp::LaneWidth::kTwo),
+                                 loops("paper's model M=40, SSE2 -O2", paper_model(), dsp::LaneWidth::kTwo)};
+  if (dsp::widest_lanes() == dsp::LaneWidth::kFour) {
+    all.push_back(layer("full model T6+L2, AVX2", 9, small, dsp::LaneWidth::kFour));
+    all.push_back(layer("full model T12+L3, AVX2", 12, large, dsp::LaneWidth::kFour));
+    all.push_back(loops("paper's model M=40, AVX2", paper_model(), dsp::LaneWidth::kFour));
   }
 #ifdef RIGSOUND_FAUST
   all.push_back({"Faust, -vec -O3", Whose::kOther, 0, 6, [](int) { sink += run_faust_paper_tool(); }});

@@ -94,7 +94,7 @@ void print_rates() {
 void print_energy() {
   double worst = -1;
   for (const Bar& bar : kBars)
-    for (const LaneWidth width : {LaneWidth::kTwo, widest_lanes()})
+    for (const dsp::LaneWidth width : {dsp::LaneWidth::kTwo, dsp::widest_lanes()})
       worst = std::max(worst, largest_energy_growth(design_tool(model_of(bar), 48000), width, 60000));
   print({"growth of zero-input energy in a sample, random k in [-1, 1], b, c", Bound::kAtMost, 1e-15, worst,
          ""});

@@ -96,7 +96,7 @@ TEST_CASE("a bit gives as many samples as it is given, in the air, on the rock a
 }
 
 TEST_CASE("without blows no energy is made, whatever stiffness, gap, length and contact do") {
-  for (const tool::LaneWidth width : {tool::LaneWidth::kTwo, tool::widest_lanes()}) {
+  for (const dsp::LaneWidth width : {dsp::LaneWidth::kTwo, dsp::widest_lanes()}) {
     CHECK(largest_string_growth(plain_string(1.83, 0.038, 3), 4000, width) <= 1e-13);
     CHECK(largest_string_growth(plain_string(0.6, 0.038, 3), 4000, width) <= 1e-13);
     CHECK(largest_bending_growth(plain_string(3.66), 4000, width) <= 1e-13);
@@ -107,7 +107,7 @@ TEST_CASE("nor is any by fractions of a sample in a string that loses next to no
   StringModel model = bare_string(1, 3);
   model.sleeve_impedance = 1.0001;  // reflects nothing to speak of
   REQUIRE(tune_string(model, 3, kStringRate).has_fractions);
-  CHECK(largest_string_growth(model, 4000, tool::widest_lanes()) <= 1e-13);
+  CHECK(largest_string_growth(model, 4000, dsp::widest_lanes()) <= 1e-13);
 }
 
 TEST_CASE("between its losses at the shank a string keeps its energy, wherever the waves are") {
@@ -116,7 +116,7 @@ TEST_CASE("between its losses at the shank a string keeps its energy, wherever t
     const StringTuning tuning = tune_string(model, rods, kStringRate);
     REQUIRE(tuning.loss_side == 0);
     const double lost = 1 - tuning.loss_middle * tuning.loss_middle;  // of what the shank reflects
-    LongitudinalString line(model, kStringRate, tool::widest_lanes());
+    LongitudinalString line(model, kStringRate, dsp::widest_lanes());
     line.bit().set_gap(-1);
     double in[kChunk] = {1, -0.5, 2, 1}, none[kChunk] = {}, heard[kChunk];
     line.process({in, none, heard});
@@ -135,7 +135,7 @@ TEST_CASE("between its losses at the shank a string keeps its energy, wherever t
 TEST_CASE("a string at rest holds no energy, with sleeves and fractions of a sample too") {
   const StringModel model = plain_string(1.83, 0.038, 3);
   REQUIRE(tune_string(model, 3, kStringRate).has_fractions);
-  CHECK(LongitudinalString(model, kStringRate, tool::widest_lanes()).energy() == 0);
+  CHECK(LongitudinalString(model, kStringRate, dsp::widest_lanes()).energy() == 0);
 }
 
 TEST_CASE("the wider the gap the feed leaves, the more the string rings on") {
@@ -307,7 +307,7 @@ TEST_CASE(
     other.rod_length_m = length;
     StringLayer first(other, kStringRate, 9, 0), again(other, kStringRate, 9, 0),
         boom(other, kStringRate, 9, 1);
-    StringLayer narrow(other, kStringRate, 9, 0, tool::LaneWidth::kTwo);
+    StringLayer narrow(other, kStringRate, 9, 0, dsp::LaneWidth::kTwo);
     const auto sound = struck(first, {1}, controls);
     CHECK(struck(again, {1}, controls) == sound);
     CHECK(struck(narrow, {1}, controls) == sound);

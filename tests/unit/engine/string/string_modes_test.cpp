@@ -109,7 +109,7 @@ TEST_CASE("the decays that the list tells of a string's waves, free and pressed,
       const double nepers = std::log(amplitude(sound, hz, 480) / amplitude(sound, hz, 480 + kApart));
       return 3 * std::log(10) * kApart / kStringRate / nepers;
     };
-    const auto free = free_ringing(model, 0.3), pressed = free_ringing(model, 0.3, tool::widest_lanes(), 1);
+    const auto free = free_ringing(model, 0.3), pressed = free_ringing(model, 0.3, dsp::widest_lanes(), 1);
     for (const StringMode& mode : family(model, L, "longitudinal")) {
       CAPTURE(L);
       CAPTURE(mode.mode);
@@ -170,7 +170,7 @@ TEST_CASE("the first bending mode of a 38 mm rod is at 19, 13, 10 and 5 Hz") {
 TEST_CASE("bending modes and their decays are in the sound of the bank") {
   StringModel model = plain_string();
   model.bending_low_s = 3, model.bending_high_s = 1;
-  string::BendingModes bank(model, kStringRate, tool::widest_lanes());
+  string::BendingModes bank(model, kStringRate, dsp::widest_lanes());
   const double exposed_m = 1.1;
   bank.set(exposed_m, 0);
   bank.retune();

@@ -96,7 +96,7 @@ std::vector<double> struck(StringLayer& layer, const StringBlows& blows,
   return sound;
 }
 
-std::vector<double> free_ringing(const StringModel& model, double seconds, tool::LaneWidth width,
+std::vector<double> free_ringing(const StringModel& model, double seconds, dsp::LaneWidth width,
                                  double contact) {
   LongitudinalString line(model, kStringRate, width);
   line.set_contact(contact);
@@ -174,7 +174,7 @@ std::vector<double> timoshenko_modes(double length_m, double diameter_m, double 
 
 double gliding_residue_db(const StringModel& model, double from_m, double to_m, double speed_m_per_s) {
   constexpr int kChunksABlow = 3000;  // two seconds
-  BendingModes bank(model, kStringRate, tool::widest_lanes());
+  BendingModes bank(model, kStringRate, dsp::widest_lanes());
   const double step = speed_m_per_s * kChunk / kStringRate;
   const int chunks = static_cast<int>((from_m - to_m) / step);
   double blow[kChunk] = {0, 0.1, 0.4, 0.8, 1, 0.8, 0.4, 0.1}, none[kChunk] = {}, out[kChunk];
@@ -193,7 +193,7 @@ double gliding_residue_db(const StringModel& model, double from_m, double to_m, 
   return worst;
 }
 
-double largest_string_growth(const StringModel& model, int chunks, tool::LaneWidth width) {
+double largest_string_growth(const StringModel& model, int chunks, dsp::LaneWidth width) {
   LongitudinalString line(model, kStringRate, width);
   const dsp::RandomField random(11, 1);
   double in[kChunk] = {1, 1, 1, 1, -0.5, 2, 1}, none[kChunk] = {}, heard[kChunk];
@@ -219,7 +219,7 @@ double largest_string_growth(const StringModel& model, int chunks, tool::LaneWid
   return worst;
 }
 
-double largest_bending_growth(const StringModel& model, int chunks, tool::LaneWidth width) {
+double largest_bending_growth(const StringModel& model, int chunks, dsp::LaneWidth width) {
   StringModel lasting = model;
   lasting.bending_low_s = lasting.bending_high_s = lasting.contact_low_s = lasting.contact_high_s = 30;
   BendingModes bank(lasting, kStringRate, width);

@@ -30,7 +30,7 @@ std::vector<double> struck(string::StringLayer& layer, const StringBlows& blows,
 /// Waves at the shank of a string that a short pulse has hit, the bit in the air; `contact`: how hard the
 /// guides hold it all the same.
 std::vector<double> free_ringing(const StringModel& model, double seconds,
-                                 tool::LaneWidth width = tool::widest_lanes(), double contact = 0);
+                                 dsp::LaneWidth width = dsp::widest_lanes(), double contact = 0);
 
 /// Of the oscillation nearest `hz`, which nothing else in `sound` may come near: how far its phase gets
 /// between two windows a third of the sound apart.
@@ -56,10 +56,10 @@ double gliding_residue_db(const StringModel& model, double from_m, double to_m, 
 
 /// Largest relative growth from chunk to chunk of a string's energy, nothing striking it, while stiffness and
 /// gap of its bit are drawn anew.
-double largest_string_growth(const StringModel& model, int chunks, tool::LaneWidth width);
+double largest_string_growth(const StringModel& model, int chunks, dsp::LaneWidth width);
 
 /// The same of the bank while exposed length and contact are drawn anew.
-double largest_bending_growth(const StringModel& model, int chunks, tool::LaneWidth width);
+double largest_bending_growth(const StringModel& model, int chunks, dsp::LaneWidth width);
 
 /// Largest error of the share of energy that the bit sends back, x 0.25...3, against the closed form: pulses
 /// of `samples` whole samples.

@@ -51,7 +51,7 @@ std::vector<double> waves(const StringModel& model, double contact, double loadi
   Strike strike;
   strike.width_s = model.strike_width_s, strike.amplitude_variation = 0, strike.bounces = 0;
   tool::Strikes strikes(strike, kStringRate, 1, 0);
-  LongitudinalString line(model, kStringRate, tool::widest_lanes());
+  LongitudinalString line(model, kStringRate, dsp::widest_lanes());
   line.set_contact(contact);
   line.bit().set_return(1 / (0.005 * kStringRate));
   line.bit().set_loading(loading);

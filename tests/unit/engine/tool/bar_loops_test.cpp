@@ -127,9 +127,9 @@ TEST_CASE("skewed lanes give the bits of the sections one after another, at eith
       for (const Family family : {kTransversal, kLongitudinal}) {
         const LoopDesign& loop = family == kTransversal ? design.transversal : design.longitudinal;
         const auto reference = sequential_response(loop, 0.87, 4096);
-        CHECK(impulse_response(design, family, 0.87, 4096, LaneWidth::kTwo) == reference);
-        if (widest_lanes() == LaneWidth::kFour)
-          CHECK(impulse_response(design, family, 0.87, 4096, LaneWidth::kFour) == reference);
+        CHECK(impulse_response(design, family, 0.87, 4096, dsp::LaneWidth::kTwo) == reference);
+        if (dsp::widest_lanes() == dsp::LaneWidth::kFour)
+          CHECK(impulse_response(design, family, 0.87, 4096, dsp::LaneWidth::kFour) == reference);
       }
     }
 }
@@ -144,7 +144,7 @@ TEST_CASE("so do loops whose delay line is as short as it may be, or hardly long
         CAPTURE(bar.length_m);
         CAPTURE(more);
         const auto reference = sequential_response(loop, 0.87, 1024);
-        for (const LaneWidth width : {LaneWidth::kTwo, widest_lanes()})
+        for (const dsp::LaneWidth width : {dsp::LaneWidth::kTwo, dsp::widest_lanes()})
           CHECK(impulse_response(design, family, 0.87, 1024, width) == reference);
       }
     }
@@ -159,7 +159,7 @@ TEST_CASE("so do longitudinal loops of more sections than a bar needs") {
     design.longitudinal.delay_samples = 20;
     const auto reference = sequential_response(design.longitudinal, 0.87, 1024);
     CAPTURE(sections);
-    for (const LaneWidth width : {LaneWidth::kTwo, widest_lanes()})
+    for (const dsp::LaneWidth width : {dsp::LaneWidth::kTwo, dsp::widest_lanes()})
       CHECK(impulse_response(design, kLongitudinal, 0.87, 1024, width) == reference);
   }
 }
@@ -174,14 +174,14 @@ TEST_CASE("the paper's sections in vectors give the bits of one after another, a
       const auto reference = sequential_paper_response(design.transversal, 0.87, 1024);
       CAPTURE(M);
       CAPTURE(delay);
-      for (const LaneWidth width : {LaneWidth::kTwo, widest_lanes()})
+      for (const dsp::LaneWidth width : {dsp::LaneWidth::kTwo, dsp::widest_lanes()})
         CHECK(impulse_response(design, kTransversal, 0.87, 1024, width) == reference);
     }
 }
 
 TEST_CASE("energy never grows, whatever k, b and c do from sample to sample") {
   for (const Bar& bar : kBars)
-    for (const LaneWidth width : {LaneWidth::kTwo, widest_lanes()}) {
+    for (const dsp::LaneWidth width : {dsp::LaneWidth::kTwo, dsp::widest_lanes()}) {
       const double growth = largest_energy_growth(design_tool(model_of(bar), 48000), width, 12000);
       CAPTURE(bar.length_m);
       CHECK(growth <= 1e-15);
@@ -191,7 +191,7 @@ TEST_CASE("energy never grows, whatever k, b and c do from sample to sample") {
 
 TEST_CASE("a bar that has died away sleeps with exact zeros and wakes like a new one") {
   const ToolDesign design = design_tool(model_of({0.5, 0.025}), 48000);
-  BarLoops bar(design, 800, widest_lanes());
+  BarLoops bar(design, 800, dsp::widest_lanes());
   Curves strike(0.89, 0.94);
   strike.x[5] = 1;
   const Curves rest(0.89, 0.94);
@@ -212,7 +212,7 @@ TEST_CASE("the high-pass is one of the first order, 6 dB down at its frequency")
   for (const double rate : {44100.0, 96000.0})
     for (const double highpass_hz : {300.0, 800.0}) {
       const ToolDesign design = design_tool(model_of({0.5, 0.025}), rate);
-      BarLoops cut(design, highpass_hz, widest_lanes()), whole(design, 1e-6, widest_lanes());
+      BarLoops cut(design, highpass_hz, dsp::widest_lanes()), whole(design, 1e-6, dsp::widest_lanes());
       // H(z) = b (1 - 1/z) / (1 - p / z), 1 at half the rate and 1/2 at its frequency.
       const double omega = 2 * M_PI * highpass_hz / rate;
       const auto gain = [&](double p) {

@@ -21,7 +21,7 @@ struct Placed {
   int lane(int section) const { return seats.lane(seats.end - allpass.stages() + section, width); }
 };
 
-Placed placed(const Allpass& allpass, const BarState& state, Family family, LaneWidth lanes) {
+Placed placed(const Allpass& allpass, const BarState& state, Family family, dsp::LaneWidth lanes) {
   return {allpass, state.seats[family], static_cast<int>(lanes)};
 }
 
@@ -36,7 +36,7 @@ void redraw(const Placed& at, SectionLanes& lanes, const dsp::RandomField& rando
 
 }  // namespace
 
-double largest_energy_growth(const ToolDesign& design, LaneWidth width, int samples) {
+double largest_energy_growth(const ToolDesign& design, dsp::LaneWidth width, int samples) {
   BarLoops bar(design, 800, width);
   const Placed T = placed(design.transversal.allpass, bar.state(), kTransversal, width);
   const Placed L = placed(design.longitudinal.allpass, bar.state(), kLongitudinal, width);

@@ -108,7 +108,7 @@ TEST_CASE("the layer repeats itself bit for bit, differs between booms, and neve
   model.voicing.equaliser = {{2000, -4, 1.4}};
   const auto controls = from(0.2, [](ToolInput& c) { c.rods = 3; });
   ToolLayer first(model, kRate, 9, 0), again(model, kRate, 9, 0), other(model, kRate, 9, 1);
-  ToolLayer narrow(model, kRate, 9, 0, LaneWidth::kTwo);
+  ToolLayer narrow(model, kRate, 9, 0, dsp::LaneWidth::kTwo);
   const Blows blows{kRate, 0.5, 0.01, 0.03};
   const auto sound = struck(first, blows, controls);
   CHECK(struck(again, blows, controls) == sound);

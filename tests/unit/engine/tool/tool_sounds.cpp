@@ -41,7 +41,7 @@ BarDrive Curves::drive(int frames) const {
 }
 
 std::vector<double> impulse_response(const ToolDesign& design, Family family, double k, int samples,
-                                     LaneWidth width) {
+                                     dsp::LaneWidth width) {
   BarLoops bar(design, 800, width);
   Curves curves(k, k);
   std::vector<double> y;

@@ -28,7 +28,7 @@ struct Curves {
 
 /// y of one family after a unit impulse, read from the delay line.
 std::vector<double> impulse_response(const ToolDesign& design, tool::Family family, double k, int samples,
-                                     tool::LaneWidth width = tool::widest_lanes());
+                                     dsp::LaneWidth width = dsp::widest_lanes());
 
 struct Blows {
   double rate = 48000;

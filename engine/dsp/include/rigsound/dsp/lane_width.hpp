@@ -1,0 +1,17 @@
+// How many numbers this processor computes side by side.
+#pragma once
+
+namespace rigsound::dsp {
+
+/// Doubles in one vector. kTwo is SSE2 or NEON, kFour AVX2.
+enum class LaneWidth : int { kTwo = 2, kFour = 4 };
+
+/// The widest this processor has. Thread: any.
+inline LaneWidth widest_lanes() noexcept {
+#ifdef RIGSOUND_AVX2
+  if (__builtin_cpu_supports("avx2")) return LaneWidth::kFour;
+#endif
+  return LaneWidth::kTwo;
+}
+
+}  // namespace rigsound::dsp
