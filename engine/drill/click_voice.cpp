@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "rigsound/dsp/lanes.hpp"
+#include "rigsound/dsp/passes.hpp"
 
 namespace rigsound::drill {
 namespace {
@@ -14,16 +14,6 @@ constexpr double kMaxAttackGain = 10;
 // A click ends 60 dB down. Made longer, its end is still 30 dB down and nobody hears it stop.
 constexpr double kMaxDecayGain = 31.6;
 constexpr double kSilence = 1e-9;
-
-void add_scaled(double gain, const float* x, double* out, int count) noexcept {
-  int n = 0;
-  for (; n + 3 < count; n += 4) {
-    const dsp::LanePair click = dsp::load_four(x + n);
-    dsp::store(out + n, dsp::load(out + n) + gain * click.low);
-    dsp::store(out + n + 2, dsp::load(out + n + 2) + gain * click.high);
-  }
-  for (; n < count; ++n) out[n] += gain * static_cast<double>(x[n]);
-}
 
 }  // namespace
 
@@ -60,7 +50,7 @@ void ClickVoice::add_to(double* bus) noexcept {
   const int count = static_cast<int>(std::min<std::ptrdiff_t>(kChunk - from, end_ - position_));
   double* out = bus + from;
   if (!reshaped_)
-    add_scaled(gain_, position_, out, count);
+    dsp::with_widest_lanes([&](auto passes) { passes.add_scaled(gain_, position_, count, out); });
   else
     for (int n = 0; n < count; ++n) out[n] += gain_ * next_ratio() * static_cast<double>(position_[n]);
   position_ += count;

@@ -8,7 +8,7 @@ namespace rigsound::mix {
 /// kChunk samples of one layer.
 struct Bus {
   bool sounds = false;  ///< false: as good as zeros, whatever `x` holds
-  double x[kChunk] = {};
+  alignas(64) double x[kChunk] = {};
 };
 
 /// kChunk samples of every layer.

@@ -30,7 +30,7 @@ LookaheadLimiter::LookaheadLimiter(double ceiling, int chunks, double sample_rat
     : target_(kTargetShare * ceiling),
       release_(dsp::one_pole_remainder(kRecovery_s, kChunk, sample_rate)),
       chunks_(chunks),
-      line_(static_cast<std::size_t>((chunks + 1) * kSlot), dsp::Lanes{}),
+      line_(static_cast<std::size_t>(chunks + 1)),
       sounds_(static_cast<std::size_t>(chunks + 1), 0),
       wishes_(static_cast<std::size_t>(chunks + 1) + hold_chunks(sample_rate), 1.0),
       held_(static_cast<std::size_t>(chunks - kLeastLookahead + 1), 1.0) {}

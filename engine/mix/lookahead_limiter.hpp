@@ -37,9 +37,12 @@ class LookaheadLimiter {
   const GainCurve& gain() const noexcept { return gain_; }
 
  private:
-  static constexpr int kSlot = TruePeak::kPast + kChunk;
+  /// A chunk behind the kPast frames before it; vectors of any width lie within a line of the cache.
+  struct alignas(64) Slot {
+    dsp::Lanes x[TruePeak::kPast + kChunk] = {};
+  };
 
-  dsp::Lanes* slot(int chunk) noexcept { return line_.data() + static_cast<std::size_t>(chunk * kSlot); }
+  dsp::Lanes* slot(int chunk) noexcept { return line_[static_cast<std::size_t>(chunk)].x; }
   int before(int chunk) const noexcept { return chunk == 0 ? chunks_ : chunk - 1; }
   double wish(bool sounds) noexcept;
   double lowest_wish() const noexcept;
@@ -47,8 +50,8 @@ class LookaheadLimiter {
 
   double target_, release_;
   int chunks_;
-  std::vector<dsp::Lanes> line_;  ///< chunks_ + 1 chunks in turn, each behind the kPast frames before it
-  std::vector<char> sounds_;      ///< of each
+  std::vector<Slot> line_;    ///< chunks_ + 1 chunks in turn
+  std::vector<char> sounds_;  ///< of each
   int newest_ = 0;
   TruePeak peak_;
 

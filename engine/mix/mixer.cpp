@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "rigsound/dsp/elementary.hpp"
+#include "rigsound/dsp/passes.hpp"
 
 namespace rigsound::mix {
 namespace {
@@ -22,45 +23,12 @@ std::optional<LookaheadLimiter> limiter_of(const EngineOptions& options) {
 /// What sounds of all buses, in the order in which it is added.
 struct Sounding {
   void take(const Bus& bus, dsp::Lanes gain) noexcept {
-    if (bus.sounds) x[count] = bus.x, gains[count++] = gain;
+    if (bus.sounds) placed[count++] = {bus.x, gain};
   }
 
-  const double* x[1 + 2 * kMaxBooms];
-  dsp::Lanes gains[1 + 2 * kMaxBooms];
+  dsp::Placed placed[1 + 2 * kMaxBooms];
   int count = 0;
 };
-
-struct TwoFrames {
-  dsp::Lanes a, b;
-};
-
-TwoFrames placed(const double* bus, dsp::Lanes gain, int n) noexcept {
-  const dsp::Lanes x = dsp::load(bus + n);
-  return {gain * __builtin_shufflevector(x, x, 0, 0), gain * __builtin_shufflevector(x, x, 1, 1)};
-}
-
-void put(const double* bus, dsp::Lanes gain, dsp::Lanes* x) noexcept {
-  for (int n = 0; n < kChunk; n += 2) {
-    const TwoFrames only = placed(bus, gain, n);
-    x[n] = only.a, x[n + 1] = only.b;
-  }
-}
-
-/// Two in one pass.
-void put(const double* bus, dsp::Lanes gain, const double* next, dsp::Lanes next_gain,
-         dsp::Lanes* x) noexcept {
-  for (int n = 0; n < kChunk; n += 2) {
-    const TwoFrames first = placed(bus, gain, n), second = placed(next, next_gain, n);
-    x[n] = first.a + second.a, x[n + 1] = first.b + second.b;
-  }
-}
-
-void add(const double* bus, dsp::Lanes gain, dsp::Lanes* x) noexcept {
-  for (int n = 0; n < kChunk; n += 2) {
-    const TwoFrames more = placed(bus, gain, n);
-    x[n] += more.a, x[n + 1] += more.b;
-  }
-}
 
 }  // namespace
 
@@ -87,9 +55,12 @@ bool Mixer::place(const Buses& buses, dsp::Lanes* x) const noexcept {
     sounding.take(buses.tool[b], tool_[b]);
   }
   if (sounding.count == 0) return false;
-  if (sounding.count == 1) return put(sounding.x[0], sounding.gains[0], x), true;
-  put(sounding.x[0], sounding.gains[0], sounding.x[1], sounding.gains[1], x);
-  for (int bus = 2; bus < sounding.count; ++bus) add(sounding.x[bus], sounding.gains[bus], x);
+  const dsp::Placed* const p = sounding.placed;
+  dsp::with_widest_lanes([&](auto passes) {
+    if (sounding.count == 1) return passes.place(p[0], kChunk, x);
+    passes.place(p[0], p[1], kChunk, x);
+    for (int bus = 2; bus < sounding.count; ++bus) passes.add_placed(p[bus], kChunk, x);
+  });
   return true;
 }
 

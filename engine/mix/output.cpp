@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rigsound/dsp/passes.hpp"
+
 namespace rigsound::mix {
 namespace {
 
@@ -21,24 +23,18 @@ void spread(const float* frames, int channels, float* out) noexcept {
 void Output::write(const dsp::Lanes* x, const GainCurve& gain, float* out) noexcept {
   float buffer[2 * kChunk];
   float* const frames = channels_ == 2 ? out : buffer;
-  dsp::Lanes energy{}, most{};
-  const auto take = [&](int n, dsp::Lanes y, dsp::Lanes z) {
-    const dsp::Lanes square = y * y, next = z * z;
-    energy += square;
-    energy += next;
-    most = dsp::larger(most, dsp::larger(square, next));
-    dsp::store_floats(frames + 2 * n, dsp::narrowed(y, z));
-  };
-  if (gain.is_one())
-    for (int n = 0; n < kChunk; n += 2) take(n, x[n], x[n + 1]);
-  else
-    for (int n = 0; n < kChunk; n += 2) take(n, gain.at(n) * x[n], gain.at(n + 1) * x[n + 1]);
-  energy_ += energy;
-  most_ = dsp::larger(most_, most);
+  dsp::Lanes scaled[kChunk];
+  if (!gain.is_one()) {
+    for (int n = 0; n < kChunk; ++n) scaled[n] = gain.at(n) * x[n];
+    x = scaled;
+  }
+  const auto squares = dsp::with_widest_lanes([&](auto passes) { return passes.narrow(x, kChunk, frames); });
+  energy_ += squares.sum;
+  most_ = dsp::larger(most_, squares.most);
   if (frames != out) spread(frames, channels_, out);
   // Rounding to single precision may pass the ceiling.
   const double limit = static_cast<double>(ceiling_);
-  if (std::max(most[0], most[1]) >= limit * limit)
+  if (std::max(squares.most[0], squares.most[1]) >= limit * limit)
     for (int i = 0; i < kChunk * channels_; ++i) out[i] = std::clamp(out[i], -ceiling_, ceiling_);
 }
 

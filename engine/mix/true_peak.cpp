@@ -1,21 +1,17 @@
 #include "mix/true_peak.hpp"
 
 #include <algorithm>
+#include <iterator>
+
+#include "rigsound/dsp/passes.hpp"
 
 namespace rigsound::mix {
 namespace {
 
-constexpr int kGroup = 8;  // frames that are looked at together
+constexpr int kGroup = 8;  // frames that are looked at together, by highest_of_eights()
 static_assert(TruePeak::kPast == 2 * kGroup && TruePeak::kPast >= kTruePeakTaps - 1);
 
 double highest(dsp::Lanes x) noexcept { return std::max(x[0], x[1]); }
-
-double sample_peak(const dsp::Lanes* x) noexcept {
-  dsp::Lanes most{};
-#pragma GCC unroll 8
-  for (int n = 0; n < kGroup; ++n) most = dsp::larger(most, dsp::magnitude(x[n]));
-  return highest(most);
-}
 
 /// Twice the higher of a phase and its mirror image: with s and d the sum and the difference of the two,
 /// max(|a|, |b|) = (|s| + |d|) / 2. `sum` and `difference`: of x[-k] and x[k - 11].
@@ -46,11 +42,8 @@ double true_peak(const dsp::Lanes* x) noexcept {
 
 double TruePeak::of(const dsp::Lanes* x, double least) noexcept {
   double peak[2 + kChunk / kGroup] = {past_[0], past_[1]};
-  double most = 0;
-  for (int g = 0; g < kChunk / kGroup; ++g) {
-    peak[2 + g] = sample_peak(x + g * kGroup);
-    most = std::max(most, peak[2 + g]);
-  }
+  dsp::with_widest_lanes([&](auto passes) { passes.highest_of_eights(x, kChunk, peak + 2); });
+  double most = *std::max_element(peak + 2, std::end(peak));
   past_[0] = peak[kChunk / kGroup], past_[1] = peak[1 + kChunk / kGroup];
   for (int g = 0; g < kChunk / kGroup; ++g) {
     const double reach = std::max({peak[g], peak[g + 1], peak[g + 2]});

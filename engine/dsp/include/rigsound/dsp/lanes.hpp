@@ -24,22 +24,6 @@ inline Lanes load(const float* p) noexcept {
   return __builtin_shufflevector(x, x, 0, 1);
 }
 
-/// Four floats, exactly: the first two and the last two.
-struct LanePair {
-  Lanes low, high;
-};
-
-inline LanePair load_four(const float* p) noexcept {
-  using Floats = float __attribute__((vector_size(16)));
-  using Doubles = double __attribute__((vector_size(32)));
-  Floats v;
-  std::memcpy(&v, p, sizeof v);
-  const Doubles wide = __builtin_convertvector(v, Doubles);
-  LanePair pair;
-  std::memcpy(&pair, &wide, sizeof pair);
-  return pair;
-}
-
 inline Lanes larger(Lanes a, Lanes b) noexcept { return a < b ? b : a; }
 
 /// |x|
@@ -85,11 +69,6 @@ inline FloatLanes load_floats(const float* p) noexcept {
   FloatLanes v;
   std::memcpy(&v, p, sizeof v);
   return v;
-}
-
-/// `a`, then `b`, rounded.
-inline FloatLanes narrowed(Lanes a, Lanes b) noexcept {
-  return __builtin_convertvector(__builtin_shufflevector(a, b, 0, 1, 2, 3), FloatLanes);
 }
 
 inline void store_floats(float* p, FloatLanes v) noexcept { std::memcpy(p, &v, sizeof v); }
