@@ -1,7 +1,9 @@
 #include "log/capture_dump.hpp"
 
-#include <pcap/pcap.h>
+#include <cerrno>
+#include <cstring>
 
+#include "log/capture_file.hpp"
 #include "log/ip_packet.hpp"
 #include "rigsound/device_error.hpp"
 
@@ -10,8 +12,9 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr int kLongestPacket = 65535;
+constexpr std::uint32_t kLongestPacket = 65535;
 
+/// The highest first.
 void put(Bytes& out, std::uint32_t value, int bytes) {
   for (int shift = 8 * (bytes - 1); shift >= 0; shift -= 8)
     out.push_back(static_cast<std::uint8_t>(value >> shift));
@@ -78,33 +81,33 @@ Bytes udp_packet(const std::string& text, const MadeUpEnd& from, const MadeUpEnd
   return p;
 }
 
-struct CaptureDump::File {
-  std::string name;
-  std::unique_ptr<pcap_t, void (*)(pcap_t*)> pcap{
-      ::pcap_open_dead_with_tstamp_precision(DLT_RAW, kLongestPacket, PCAP_TSTAMP_PRECISION_NANO),
-      ::pcap_close};
-  std::unique_ptr<pcap_dumper_t, void (*)(pcap_dumper_t*)> out{nullptr, ::pcap_dump_close};
-};
-
-CaptureDump::CaptureDump(const std::filesystem::path& file) : file_(std::make_unique<File>()) {
-  file_->name = file.string();
-  file_->out.reset(::pcap_dump_open(file_->pcap.get(), file.c_str()));
-  if (!file_->out)
-    throw DeviceError(file_->name + ": cannot be written: " + ::pcap_geterr(file_->pcap.get()));
+CaptureDump::CaptureDump(const std::filesystem::path& file)
+    : name_(file.string()), out_(file, std::ios::binary) {
+  if (!out_) throw DeviceError(name_ + ": cannot be written: " + std::strerror(errno));
+  Bytes head;
+  put(head, 0xa1b23c4d, 4);  // nanoseconds; written backwards it would say that the numbers are
+  put(head, 2, 2), put(head, 4, 2);
+  put(head, 0, 4), put(head, 0, 4);  // UTC, without a claim how exact
+  put(head, kLongestPacket, 4);
+  put(head, kRawIp, 4);
+  write(head);
 }
 
-CaptureDump::~CaptureDump() = default;
+void CaptureDump::write(const Bytes& bytes) {
+  out_.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
 
 void CaptureDump::write(std::int64_t time_ns, const Bytes& packet) {
-  pcap_pkthdr head{};
-  head.ts.tv_sec = time_ns / 1'000'000'000;
-  head.ts.tv_usec = time_ns % 1'000'000'000;  // nanoseconds, as the file says
-  head.caplen = head.len = static_cast<bpf_u_int32>(packet.size());
-  ::pcap_dump(reinterpret_cast<u_char*>(file_->out.get()), &head, packet.data());
+  const auto size = static_cast<std::uint32_t>(packet.size());
+  Bytes head;
+  put(head, static_cast<std::uint32_t>(time_ns / 1'000'000'000), 4);
+  put(head, static_cast<std::uint32_t>(time_ns % 1'000'000'000), 4);
+  put(head, size, 4), put(head, size, 4);  // what is here, and what there was
+  write(head), write(packet);
 }
 
 void CaptureDump::flush() {
-  if (::pcap_dump_flush(file_->out.get()) != 0) throw DeviceError(file_->name + ": cannot be written");
+  if (!out_.flush()) throw DeviceError(name_ + ": cannot be written");
 }
 
 }  // namespace rigsound::log

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -15,18 +15,19 @@ struct MadeUpEnd {
   int port = 49152;
 };
 
-/// Raw IP, nanoseconds. Thread: one at a time. Errors: DeviceError.
+/// Raw IP, nanoseconds, the same bytes on every machine. Thread: one at a time. Errors: DeviceError.
 class CaptureDump {
  public:
   explicit CaptureDump(const std::filesystem::path& file);
-  ~CaptureDump();
 
   void write(std::int64_t time_ns, const std::vector<std::uint8_t>& packet);
   void flush();
 
  private:
-  struct File;
-  std::unique_ptr<File> file_;
+  void write(const std::vector<std::uint8_t>& bytes);
+
+  std::string name_;
+  std::ofstream out_;
 };
 
 /// IPv4 and TCP headers around `frame`, checksums included.

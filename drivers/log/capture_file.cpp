@@ -19,7 +19,7 @@ constexpr std::uint32_t kOptionName = 2, kOptionResolution = 9, kOptionOffset = 
 
 /// The numbers in files are those of LINKTYPE_, which differ from DLT_ for raw IP only.
 int link_type_of(std::uint32_t number) {
-  constexpr std::uint32_t kRawIp = 101, kRawIpv4 = 228, kRawIpv6 = 229;
+  constexpr std::uint32_t kRawIpv4 = 228, kRawIpv6 = 229;
   return number == kRawIp || number == kRawIpv4 || number == kRawIpv6 ? DLT_RAW : static_cast<int>(number);
 }
 

@@ -10,6 +10,9 @@
 
 namespace rigsound::log {
 
+/// LINKTYPE_RAW: what a file calls DLT_RAW.
+constexpr std::uint32_t kRawIp = 101;
+
 struct CapturedPacket {
   std::int64_t time_ns = 0;  ///< since the epoch
   int link_type = 0;         ///< a DLT_ value of libpcap

@@ -1,14 +1,18 @@
-// pcap in its four forms and pcapng with its blocks, whole, cut off and damaged.
+// pcap in its four forms and pcapng with its blocks, whole, cut off and damaged; pcap as we write it.
 #include "log/capture_file.hpp"
 
 #include <doctest/doctest.h>
 #include <pcap/dlt.h>
 
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
 #include "drivers/log/made_packets.hpp"
 #include "log/can_capture.hpp"
+#include "log/capture_dump.hpp"
+#include "rigsound/device_error.hpp"
 #include "rigsound/machine/input_error.hpp"
 #include "temporary_folder.hpp"
 
@@ -76,6 +80,27 @@ struct Blocks {
 const Octets kData = {1, 2, 3, 4, 5};
 
 }  // namespace
+
+TEST_CASE("a dump is a pcap of raw IP in nanoseconds") {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path / "dump.pcap";
+  CaptureDump dump(file);
+  dump.write(1'700'000'000'000'000'007, kData);
+  dump.write(1'700'000'001'999'999'999, {});
+  dump.flush();
+  std::ifstream in(file, std::ios::binary);
+  const Octets written{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  CHECK(written == pcap_head(0xa1b23c4d, true, 101) + pcap_record(1700000000, 7, kData, true) +
+                       pcap_record(1700000001, 999999999, {}, true));
+}
+
+TEST_CASE("a dump that cannot be written is told") {
+  CHECK_THROWS_WITH_AS(CaptureDump("/nowhere/dump.pcap"),
+                       "/nowhere/dump.pcap: cannot be written: No such file or directory", DeviceError);
+  CaptureDump full("/dev/full");
+  full.write(0, kData);
+  CHECK_THROWS_WITH_AS(full.flush(), "/dev/full: cannot be written", DeviceError);
+}
 
 TEST_CASE("pcap: both byte orders, microseconds and nanoseconds") {
   for (const bool big_endian : {false, true})
