@@ -9,6 +9,7 @@
 #include "diesel/wavelet_tree.hpp"
 #include "rigsound/dsp/elementary.hpp"
 #include "rigsound/dsp/lanes.hpp"
+#include "rigsound/dsp/passes.hpp"
 
 namespace rigsound::diesel {
 namespace {
@@ -70,14 +71,11 @@ template <class ValuesOf>
 void mix_values(const OperatingGrid& grid, const GridPlace& place, ValuesOf values_of, int first, int count,
                 double* out) noexcept {
   std::fill(out, out + count, 0.0);
-  for (std::size_t n = 0; n < place.index.size(); ++n) {
-    if (place.weight[n] == 0) continue;
-    const float* values = values_of(grid.state(place.index[n])).data() + first;
-    int i = 0;
-    for (; i + 1 < count; i += 2)
-      dsp::store(out + i, dsp::load(out + i) + place.weight[n] * dsp::load(values + i));
-    if (i < count) out[i] += place.weight[n] * static_cast<double>(values[i]);
-  }
+  dsp::with_widest_lanes([&](auto passes) {
+    for (std::size_t n = 0; n < place.index.size(); ++n)
+      if (place.weight[n] != 0)
+        passes.add_scaled(place.weight[n], values_of(grid.state(place.index[n])).data() + first, count, out);
+  });
 }
 
 }  // namespace
