@@ -44,7 +44,9 @@ double TruePeak::of(const dsp::Lanes* x, double least) noexcept {
   double peak[2 + kChunk / kGroup] = {past_[0], past_[1]};
   dsp::with_widest_lanes([&](auto passes) { passes.highest_of_eights(x, kChunk, peak + 2); });
   double most = *std::max_element(peak + 2, std::end(peak));
+  const double most_reach = std::max({most, past_[0], past_[1]});
   past_[0] = peak[kChunk / kGroup], past_[1] = peak[1 + kChunk / kGroup];
+  if (kTruePeakSpread * most_reach <= std::max(least, most)) return most;
   for (int g = 0; g < kChunk / kGroup; ++g) {
     const double reach = std::max({peak[g], peak[g + 1], peak[g + 2]});
     if (kTruePeakSpread * reach > std::max(least, most)) most = std::max(most, true_peak(x + g * kGroup));
