@@ -101,8 +101,11 @@ void Passes<kWidth>::add_scaled(double gain, const float* x, int count, double* 
   using V = typename Vector<kWidth>::V;
   constexpr int W = kLanes<V>;
   int n = 0;
+#pragma GCC unroll 2
   for (; n + 3 < count; n += 4) {
-    const Four wide = __builtin_convertvector(at<FourFloats>(x + n), Four);
+    // Written out, gcc converts four at once; a vector of them, in two halves.
+    const Four wide = {static_cast<double>(x[n]), static_cast<double>(x[n + 1]),
+                       static_cast<double>(x[n + 2]), static_cast<double>(x[n + 3])};
     V parts[4 / W];
     std::memcpy(parts, &wide, sizeof parts);
 #pragma GCC unroll 2
