@@ -1,0 +1,8 @@
+#include "fft_pairings_lanes.hpp"
+
+namespace rigsound::dsp {
+
+template struct FftPairings<float, LaneWidth::kTwo>;
+template struct FftPairings<double, LaneWidth::kTwo>;
+
+}  // namespace rigsound::dsp
