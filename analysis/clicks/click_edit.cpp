@@ -85,13 +85,12 @@ Addition best_addition(const Eigen::ArrayXd& q, const Eigen::ArrayXd& v, const E
     const Eigen::ArrayXd observed = q.segment(onset, length).min(kOutlierClip * now);
     const Eigen::ArrayXd inverse = now.inverse(), gradient = shape * inverse.square();
     double power = std::max(1e-6, (gradient * (observed - now)).sum() / (shape * gradient).sum());
-    Eigen::ArrayXd w, slope(length), weight(length);
+    Eigen::ArrayXd w;
     for (int step = 0; step < kAmplitudeSteps; ++step) {
       w = now + power * shape;
-      click_kernels().weigh(observed.data(), w.data(), std::numeric_limits<double>::max(), length,
-                            slope.data(), weight.data());
-      const PairOfSums sums = click_kernels().products(a2.data(), slope.data(), weight.data(), length);
-      power = std::max(1e-6, power * sums.first / sums.second);
+      const WeighedSums sums = click_kernels().weigh(observed.data(), w.data(), a2.data(),
+                                                     std::numeric_limits<double>::max(), length);
+      power = std::max(1e-6, power * sums.ax / sums.ay);
     }
     w = now + power * shape;
     const double gain =

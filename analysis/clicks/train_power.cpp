@@ -10,7 +10,8 @@ namespace rigsound::analysis {
 TrainPower::TrainPower(const EnvelopePower& shape, const std::vector<long>& onset, long length)
     : shape_(shape), length_(length) {
   const long attack = shape.attack.size();
-  long longest = 0;
+  before_ = onset.empty() ? length : std::clamp(onset.front() + attack, 0L, length);
+  long longest = before_;
   for (size_t i = 0; i < onset.size(); ++i) {
     const long tail = onset[i] + attack, start = std::clamp(tail, 0L, length);
     const long end = i + 1 < onset.size() ? std::clamp(onset[i + 1] + attack, 0L, length) : length;
@@ -34,7 +35,7 @@ void TrainPower::each_attack_block(const Click& click, Visit visit) const {
 
 void TrainPower::spread(const Eigen::ArrayXd& power, double floor, Eigen::ArrayXd& v) const {
   v.resize(length_);
-  v.head(clicks_.empty() ? length_ : clicks_.front().start).setConstant(floor);
+  v.head(before_).setConstant(floor);
   double carried = 0;
   for (size_t i = 0; i < clicks_.size(); ++i) {
     const Click& click = clicks_[i];
@@ -48,23 +49,26 @@ void TrainPower::spread(const Eigen::ArrayXd& power, double floor, Eigen::ArrayX
     });
 }
 
-std::array<Eigen::ArrayXd, 2> TrainPower::gather(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) const {
+TrainSums TrainPower::weigh(const Eigen::ArrayXd& q, const Eigen::ArrayXd& v, double clip) const {
   const auto count = static_cast<long>(clicks_.size());
-  std::array<Eigen::ArrayXd, 2> sums{Eigen::ArrayXd(count), Eigen::ArrayXd(count)};
-  const auto products = [&](const double* a, long at, long length) {
-    return click_kernels().products(a, x.data() + at, y.data() + at, length);
+  TrainSums sums{Eigen::ArrayXd(count), Eigen::ArrayXd(count), {}};
+  const auto weighed = [&](const double* a, long at, long length) {
+    return click_kernels().weigh(q.data() + at, v.data() + at, a, clip, length);
   };
+  const auto count_in = [&](const WeighedSums& s) { sums.all.first += s.x, sums.all.second += s.y; };
   PairOfSums later;
   for (long i = count; i-- > 0;) {
     const Click& click = clicks_[static_cast<size_t>(i)];
-    const PairOfSums tail = products(decay_.data(), click.start, click.end - click.start);
-    later = {later.first * click.carry + tail.first, later.second * click.carry + tail.second};
-    sums[0](i) = click.first * later.first, sums[1](i) = click.first * later.second;
+    const WeighedSums tail = weighed(decay_.data(), click.start, click.end - click.start);
+    count_in(tail);
+    later = {later.first * click.carry + tail.ax, later.second * click.carry + tail.ay};
+    sums.x(i) = click.first * later.first, sums.y(i) = click.first * later.second;
     each_attack_block(click, [&](long at, const auto& attack) {
-      const PairOfSums here = products(attack.data(), at, attack.size());
-      sums[0](i) += here.first, sums[1](i) += here.second;
+      const WeighedSums here = weighed(attack.data(), at, attack.size());
+      sums.x(i) += here.ax, sums.y(i) += here.ay;
     });
   }
+  count_in(weighed(decay_.data(), 0, before_));
   return sums;
 }
 

@@ -2,12 +2,18 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <vector>
 
 #include "clicks/envelope.hpp"
+#include "kernels/click_kernels.hpp"
 
 namespace rigsound::analysis {
+
+/// What the likelihood's gradient is made of: of x_n = min(q_n / v_n, clip) / v_n and of y_n = 1 / v_n.
+struct TrainSums {
+  Eigen::ArrayXd x, y;  ///< sum_n a^2(n - P_i) x_n and the same of y, of every click
+  PairOfSums all;       ///< sum_n x_n, sum_n y_n
+};
 
 /// The linear map from the clicks' powers beta_i^2 to v_n = floor + sum_i beta_i^2 a^2(n - P_i) and its
 /// transpose. All tails decay alike, so their sum is carried from click to click as one number instead of
@@ -20,8 +26,8 @@ class TrainPower {
   /// v, `length` values. Thread: OFF.
   void spread(const Eigen::ArrayXd& power, double floor, Eigen::ArrayXd& v) const;
 
-  /// sum_n a^2(n - P_i) x_n and the same of y for every click. Thread: OFF.
-  std::array<Eigen::ArrayXd, 2> gather(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) const;
+  /// The transpose, of the slopes of a power q under the variance v. Thread: OFF.
+  TrainSums weigh(const Eigen::ArrayXd& q, const Eigen::ArrayXd& v, double clip) const;
 
  private:
   struct Click {
@@ -36,8 +42,8 @@ class TrainPower {
 
   EnvelopePower shape_;
   std::vector<Click> clicks_;
-  Eigen::ArrayXd decay_;  ///< decay^k
-  long length_;
+  Eigen::ArrayXd decay_;  ///< decay^k, as long as the longest stretch without another start
+  long length_, before_;  ///< before_: blocks before the first tail
 };
 
 }  // namespace rigsound::analysis

@@ -40,18 +40,16 @@ Eigen::ArrayXd model_variance(const EnvelopePower& shape, const ModelClicks& cli
 
 void update_powers(const Eigen::ArrayXd& q, const TrainPower& train, int sweeps, double clip,
                    ModelClicks& clicks) {
-  Eigen::ArrayXd v, slope(q.size()), inverse(q.size());
+  Eigen::ArrayXd v;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     model_variance(train, clicks, v);
-    const PairOfSums all =
-        click_kernels().weigh(q.data(), v.data(), clip, q.size(), slope.data(), inverse.data());
-    const auto [slopes, inverses] = train.gather(slope, inverse);
-    const Eigen::ArrayXd ratio = (slopes + 1e-30) / (inverses + 1e-30);
+    const TrainSums sums = train.weigh(q, v, clip);
+    const Eigen::ArrayXd ratio = (sums.x + 1e-30) / (sums.y + 1e-30);
     if (sweep == 0)
       clicks.power *= ratio;
     else
       clicks.power *= ratio.sqrt();
-    clicks.floor *= std::sqrt(all.first / all.second);
+    clicks.floor *= std::sqrt(sums.all.first / sums.all.second);
   }
 }
 

@@ -77,24 +77,44 @@ inline Reciprocals reciprocals(const Wide& a, const Wide& b) {
   return {of_both * b, of_both * a};
 }
 
-PairOfSums weigh(const double* q, const double* v, double clip, long size, double* slope, double* inverse) {
-  Wide slopes = {}, inverses = {};
-  const auto add = [&](long at, const Wide& i) {
-    const Wide s = at_most(clip, load<Wide>(q + at) * i) * i;
-    store(inverse + at, i), store(slope + at, s);
-    slopes += s, inverses += i;
-  };
+/// So many of the values from p on, then `rest`.
+template <int Size>
+inline void load_some(const double* p, long count, double rest, double (&to)[Size]) {
+  for (int i = 0; i < Size; ++i) to[i] = i < count ? p[i] : rest;
+}
+
+inline Wide first_lanes(long count, const Wide& x) {
+  constexpr Wide kLane = {0, 1, 2, 3, 4, 5, 6, 7};
+  const Wide limit = Wide{} + static_cast<double>(count);
+  return kLane < limit ? x : Wide{};
+}
+
+struct WideSums {
+  Wide x = {}, y = {}, ax = {}, ay = {};
+
+  inline void add(const Wide& q, const Wide& inverse, const Wide& a, double clip) {
+    const Wide slope = at_most(clip, q * inverse) * inverse;
+    x += slope, y += inverse, ax += a * slope, ay += a * inverse;
+  }
+};
+
+WeighedSums weigh(const double* q, const double* v, const double* a, double clip, long size) {
+  WideSums sums;
   long n = 0;
   for (; n + 2 * kWide <= size; n += 2 * kWide) {
     const Reciprocals i = reciprocals(load<Wide>(v + n), load<Wide>(v + n + kWide));
-    add(n, i.first), add(n + kWide, i.second);
+    sums.add(load<Wide>(q + n), i.first, load<Wide>(a + n), clip);
+    sums.add(load<Wide>(q + n + kWide), i.second, load<Wide>(a + n + kWide), clip);
   }
-  PairOfSums sums{sum(slopes), sum(inverses)};
-  for (; n < size; ++n) {
-    inverse[n] = 1.0 / v[n], slope[n] = at_most(clip, q[n] * inverse[n]) * inverse[n];
-    sums.first += slope[n], sums.second += inverse[n];
+  if (const long left = size - n; left > 0) {
+    double some_q[2 * kWide], some_v[2 * kWide], some_a[2 * kWide];
+    load_some(q + n, left, 0, some_q), load_some(v + n, left, 1, some_v), load_some(a + n, left, 0, some_a);
+    const Reciprocals i = reciprocals(load<Wide>(some_v), load<Wide>(some_v + kWide));
+    sums.add(load<Wide>(some_q), first_lanes(left, i.first), load<Wide>(some_a), clip);
+    sums.add(load<Wide>(some_q + kWide), first_lanes(left - kWide, i.second), load<Wide>(some_a + kWide),
+             clip);
   }
-  return sums;
+  return {sum(sums.x), sum(sums.y), sum(sums.ax), sum(sums.ay)};
 }
 
 PairOfSums products(const double* a, const double* x, const double* y, long size) {

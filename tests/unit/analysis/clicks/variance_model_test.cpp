@@ -66,16 +66,19 @@ TEST_CASE("carrying the tails gives the variance that adding every tail gives") 
   }
 }
 
-TEST_CASE("gathering is the transpose of spreading") {
+TEST_CASE("weighing is the transpose of spreading") {
   TestNoise noise(61);
   const ModelClicks clicks = some_clicks();
   const TrainPower train(envelope_power(kModelShape, 8), clicks.onset, 400);
-  const Eigen::ArrayXd x = noise.normals(400), y = noise.normals(400);
+  const Eigen::ArrayXd q = 9 * noise.normals(400).square(), w = noise.normals(400).square() + 0.1;
+  const Eigen::ArrayXd y = 1 / w, x = (q * y).min(5) * y;
   Eigen::ArrayXd v;
   train.spread(clicks.power, 0, v);
-  const auto [of_x, of_y] = train.gather(x, y);
-  CHECK((v * x).sum() == doctest::Approx((clicks.power * of_x).sum()));
-  CHECK((v * y).sum() == doctest::Approx((clicks.power * of_y).sum()));
+  const TrainSums sums = train.weigh(q, w, 5);
+  CHECK((v * x).sum() == doctest::Approx((clicks.power * sums.x).sum()));
+  CHECK((v * y).sum() == doctest::Approx((clicks.power * sums.y).sum()));
+  CHECK(x.sum() == doctest::Approx(sums.all.first));
+  CHECK(y.sum() == doctest::Approx(sums.all.second));
 }
 
 TEST_CASE("one logarithm for hundreds of factors is the sum of their logarithms") {
