@@ -1,6 +1,5 @@
 // rigsound analyze: recordings in, a sound set out.
 #include <fmt/format.h>
-#include <malloc.h>
 
 #include <cstdio>
 #include <memory>
@@ -9,6 +8,7 @@
 
 #include "endings.hpp"
 #include "figure_row.hpp"
+#include "kept_memory.hpp"
 #include "progress_bar.hpp"
 #include "rigsound/analysis/analyzer.hpp"
 #include "rigsound/analysis/report.hpp"
@@ -21,15 +21,6 @@ namespace rigsound::tools {
 namespace {
 
 using namespace analysis;
-
-/// Every part takes and frees the same megabytes dozens of times: kept, the system need not clear them anew.
-void keep_freed_memory() {
-#ifdef __GLIBC__
-  constexpr int kKept = 32 << 20;  // the most that the allocator takes
-  mallopt(M_MMAP_THRESHOLD, kKept);
-  mallopt(M_TRIM_THRESHOLD, kKept);
-#endif
-}
 
 struct AnalyzeArguments {
   std::vector<std::string> inputs;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <thread>
 
+#include "kept_memory.hpp"
 #include "progress_bar.hpp"
 #include "read_recording.hpp"
 #include "rigsound/file/atomic_folder.hpp"
@@ -45,6 +46,7 @@ Recording read_input(const ChainArguments& arguments) {
 }
 
 ChainResult run_chain(const Recording& recording, const ChainArguments& arguments, Denoising denoising) {
+  keep_freed_memory();
   if (recording.silent) {
     ChainResult nothing;
     nothing.reason = "it is silent";
