@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <utility>
 
 #include "diesel/order_tables.hpp"
 #include "diesel/source_point.hpp"
