@@ -70,7 +70,7 @@ template <class ValuesOf>
 void mix_values(const OperatingGrid& grid, const GridPlace& place, ValuesOf values_of, int first, int count,
                 double* out) noexcept {
   std::fill(out, out + count, 0.0);
-  dsp::with_widest_lanes([&](auto passes) {
+  dsp::with_widest<dsp::Passes>([&](auto passes) {
     for (std::size_t n = 0; n < place.index.size(); ++n)
       if (place.weight[n] != 0)
         passes.add_scaled(place.weight[n], values_of(grid.state(place.index[n])).data() + first, count, out);
@@ -89,8 +89,8 @@ OperatingGrid::OperatingGrid(const DieselModel& model, double sample_rate) : loa
     double held_rpm = 0;
     for (int i = 0; i < speeds_; ++i) {
       const double rpm = rpm_min_ * dsp::exp(dsp::kLn2 * i / kPerOctave);
-      if (!source || sources.held(rpm) != held_rpm) source.emplace(sources.at(rpm, load));
-      held_rpm = sources.held(rpm);
+      if (const double held = sources.held(rpm); !source || held != held_rpm)
+        source.emplace(sources.at(rpm, load)), held_rpm = held;
       tables.put(states_.size() % 2 == 1, source->orders, cycles_per_second(rpm));
       states_.push_back({{}, with_body(model, source->lo, rpm), source->slots});
       if (states_.size() % 2 == 0) tables.take(states_[states_.size() - 2].table, states_.back().table);

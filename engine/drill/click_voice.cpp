@@ -50,7 +50,7 @@ void ClickVoice::add_to(double* bus) noexcept {
   const int count = static_cast<int>(std::min<std::ptrdiff_t>(kChunk - from, end_ - position_));
   double* out = bus + from;
   if (!reshaped_)
-    dsp::with_widest_lanes([&](auto passes) { passes.add_scaled(gain_, position_, count, out); });
+    dsp::with_widest<dsp::Passes>([&](auto passes) { passes.add_scaled(gain_, position_, count, out); });
   else
     for (int n = 0; n < count; ++n) out[n] += gain_ * next_ratio() * static_cast<double>(position_[n]);
   position_ += count;

@@ -45,10 +45,7 @@ void Fft<T>::stage(int number, T* re, T* im) const noexcept {
   const int half = 1 << (2 * number - 1);
   const T *c = cos_.data() + half - 1, *s = sin_.data() + half - 1;
   const FftStage<T> pairings{size_, half, 2 * half == size_, c, s};
-#ifdef RIGSOUND_AVX2
-  if (widest_lanes() == LaneWidth::kFour) return FftPairings<T, LaneWidth::kFour>::run(pairings, re, im);
-#endif
-  FftPairings<T, LaneWidth::kTwo>::run(pairings, re, im);
+  with_widest<FftPairings>([&](auto kernels) { kernels.run(pairings, re, im); });
 }
 
 template <class T>

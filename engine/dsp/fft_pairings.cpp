@@ -2,7 +2,6 @@
 
 namespace rigsound::dsp {
 
-template struct FftPairings<float, LaneWidth::kTwo>;
-template struct FftPairings<double, LaneWidth::kTwo>;
+template struct FftPairings<LaneWidth::kTwo>;
 
 }  // namespace rigsound::dsp

@@ -12,10 +12,11 @@ struct FftStage {
   const T *cos, *sin;  ///< twiddles from this pairing on
 };
 
-/// Each width is compiled in a file of its own; kFour only where there is AVX2. Thread: RT.
-template <class T, LaneWidth kWidth>
+/// Taken by with_widest<FftPairings>(). Thread: RT.
+template <LaneWidth kWidth>
 struct FftPairings {
-  static void run(const FftStage<T>& stage, T* re, T* im) noexcept;
+  static void run(const FftStage<float>& stage, float* re, float* im) noexcept;
+  static void run(const FftStage<double>& stage, double* re, double* im) noexcept;
 };
 
 }  // namespace rigsound::dsp

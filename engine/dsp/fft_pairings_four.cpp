@@ -2,7 +2,6 @@
 
 namespace rigsound::dsp {
 
-template struct FftPairings<float, LaneWidth::kFour>;
-template struct FftPairings<double, LaneWidth::kFour>;
+template struct FftPairings<LaneWidth::kFour>;
 
 }  // namespace rigsound::dsp

@@ -2,9 +2,8 @@
 // width has internal linkage, because the linker must not merge code compiled for different processors.
 #pragma once
 
-#include <cstring>
-
 #include "fft_pairings.hpp"
+#include "vector_memory.hpp"
 
 namespace rigsound::dsp {
 namespace {
@@ -17,18 +16,6 @@ struct VectorOf {
 template <class V, class T>
 constexpr int kSideBySide = sizeof(V) / sizeof(T);
 
-template <class V, class T>
-V values_at(const T* p) noexcept {
-  V v;
-  std::memcpy(&v, p, sizeof v);
-  return v;
-}
-
-template <class V, class T>
-void put_at(T* p, V v) noexcept {
-  std::memcpy(p, &v, sizeof v);
-}
-
 /// As many complex numbers side by side as a V holds.
 template <class V>
 struct ComplexValues {
@@ -37,12 +24,12 @@ struct ComplexValues {
 
 template <class V, class T>
 ComplexValues<V> numbers_at(const T* re, const T* im) noexcept {
-  return {values_at<V>(re), values_at<V>(im)};
+  return {vector_at<V>(re), vector_at<V>(im)};
 }
 
 template <class V, class T>
 void put_numbers_at(T* re, T* im, const ComplexValues<V>& x) noexcept {
-  put_at(re, x.re), put_at(im, x.im);
+  put(re, x.re), put(im, x.im);
 }
 
 /// a and b become a + w b and a - w b.
@@ -93,16 +80,26 @@ void pair(const FftStage<T>& stage, T* re, T* im) noexcept {
       double_butterflies<V>(re + start, im + start, half, stage.cos, stage.sin);
 }
 
-}  // namespace
-
-template <class T, LaneWidth kWidth>
-void FftPairings<T, kWidth>::run(const FftStage<T>& stage, T* re, T* im) noexcept {
+template <LaneWidth kWidth, class T>
+void pair_widest(const FftStage<T>& stage, T* re, T* im) noexcept {
   constexpr int kNarrow = 16, kWide = static_cast<int>(kWidth) * static_cast<int>(sizeof(double));
   using Narrow = typename VectorOf<T, kNarrow>::V;
   using Wide = typename VectorOf<T, kWide>::V;
   if (stage.half >= kSideBySide<Wide, T>) return pair<Wide>(stage, re, im);
   if (stage.half >= kSideBySide<Narrow, T>) return pair<Narrow>(stage, re, im);
   pair<T>(stage, re, im);
+}
+
+}  // namespace
+
+template <LaneWidth kWidth>
+void FftPairings<kWidth>::run(const FftStage<float>& stage, float* re, float* im) noexcept {
+  pair_widest<kWidth>(stage, re, im);
+}
+
+template <LaneWidth kWidth>
+void FftPairings<kWidth>::run(const FftStage<double>& stage, double* re, double* im) noexcept {
+  pair_widest<kWidth>(stage, re, im);
 }
 
 }  // namespace rigsound::dsp

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "rigsound/dsp/passes.hpp"
+#include "vector_memory.hpp"
 
 namespace rigsound::dsp {
 namespace {
@@ -33,18 +34,6 @@ struct Vector<LaneWidth::kFour> {
 template <class V>
 constexpr int kLanes = sizeof(V) / sizeof(double);
 
-template <class V, class T>
-V at(const T* from) {
-  V v;
-  std::memcpy(&v, from, sizeof v);
-  return v;
-}
-
-template <class V, class T>
-void put(T* to, V v) {
-  std::memcpy(to, &v, sizeof v);
-}
-
 template <class V>
 V larger_of(V a, V b) {
   return a < b ? b : a;
@@ -59,21 +48,42 @@ V repeated(Two x) {
   return v;
 }
 
-/// Frames of two equal channels: of the lower and of the upper half of the lanes.
+/// As many frames as there are samples in a V.
 template <class V>
-V lower_frames(V x) {
-  if constexpr (kLanes<V> == 2)
-    return __builtin_shufflevector(x, x, 0, 0);
-  else
-    return __builtin_shufflevector(x, x, 0, 0, 1, 1);
-}
+struct Frames {
+  V lower, upper;
+
+  void put_to(Lanes* frames) const { put(frames, lower), put(frames + kLanes<V> / 2, upper); }
+};
+
 template <class V>
-V upper_frames(V x) {
-  if constexpr (kLanes<V> == 2)
-    return __builtin_shufflevector(x, x, 1, 1);
-  else
-    return __builtin_shufflevector(x, x, 2, 2, 3, 3);
+Frames<V> operator+(const Frames<V>& a, const Frames<V>& b) {
+  return {a.lower + b.lower, a.upper + b.upper};
 }
+
+template <class V>
+Frames<V> frames_at(const Lanes* frames) {
+  return {vector_at<V>(frames), vector_at<V>(frames + kLanes<V> / 2)};
+}
+
+template <class V>
+class Placing {
+ public:
+  explicit Placing(const Placed& placed) : x_(placed.x), gains_(repeated<V>(placed.gains)) {}
+
+  Frames<V> from(int n) const {
+    const V x = vector_at<V>(x_ + n);
+    if constexpr (kLanes<V> == 2)
+      return {gains_ * __builtin_shufflevector(x, x, 0, 0), gains_ * __builtin_shufflevector(x, x, 1, 1)};
+    else
+      return {gains_ * __builtin_shufflevector(x, x, 0, 0, 1, 1),
+              gains_ * __builtin_shufflevector(x, x, 2, 2, 3, 3)};
+  }
+
+ private:
+  const double* x_;
+  V gains_;
+};
 
 /// Of eight samples at a time, in as many vectors as hold them.
 template <class V>
@@ -109,7 +119,7 @@ void Passes<kWidth>::add_scaled(double gain, const float* x, int count, double* 
     V parts[4 / W];
     std::memcpy(parts, &wide, sizeof parts);
 #pragma GCC unroll 2
-    for (int p = 0; p < 4 / W; ++p) put(out + n + p * W, at<V>(out + n + p * W) + gain * parts[p]);
+    for (int p = 0; p < 4 / W; ++p) put(out + n + p * W, vector_at<V>(out + n + p * W) + gain * parts[p]);
   }
   for (; n < count; ++n) out[n] += gain * static_cast<double>(x[n]);
 }
@@ -117,34 +127,22 @@ void Passes<kWidth>::add_scaled(double gain, const float* x, int count, double* 
 template <LaneWidth kWidth>
 void Passes<kWidth>::place(const Placed& only, int count, Lanes* frames) noexcept {
   using V = typename Vector<kWidth>::V;
-  const V gains = repeated<V>(only.gains);
-  for (int n = 0; n < count; n += kLanes<V>) {
-    const V x = at<V>(only.x + n);
-    put(frames + n, gains * lower_frames(x)), put(frames + n + kLanes<V> / 2, gains * upper_frames(x));
-  }
+  const Placing<V> placing(only);
+  for (int n = 0; n < count; n += kLanes<V>) placing.from(n).put_to(frames + n);
 }
 
 template <LaneWidth kWidth>
 void Passes<kWidth>::place(const Placed& first, const Placed& second, int count, Lanes* frames) noexcept {
   using V = typename Vector<kWidth>::V;
-  const V gains = repeated<V>(first.gains), more_gains = repeated<V>(second.gains);
-  for (int n = 0; n < count; n += kLanes<V>) {
-    const V x = at<V>(first.x + n), y = at<V>(second.x + n);
-    put(frames + n, gains * lower_frames(x) + more_gains * lower_frames(y));
-    put(frames + n + kLanes<V> / 2, gains * upper_frames(x) + more_gains * upper_frames(y));
-  }
+  const Placing<V> one(first), other(second);
+  for (int n = 0; n < count; n += kLanes<V>) (one.from(n) + other.from(n)).put_to(frames + n);
 }
 
 template <LaneWidth kWidth>
 void Passes<kWidth>::add_placed(const Placed& more, int count, Lanes* frames) noexcept {
   using V = typename Vector<kWidth>::V;
-  constexpr int kFrames = kLanes<V> / 2;
-  const V gains = repeated<V>(more.gains);
-  for (int n = 0; n < count; n += 2 * kFrames) {
-    const V x = at<V>(more.x + n);
-    put(frames + n, at<V>(frames + n) + gains * lower_frames(x));
-    put(frames + n + kFrames, at<V>(frames + n + kFrames) + gains * upper_frames(x));
-  }
+  const Placing<V> placing(more);
+  for (int n = 0; n < count; n += kLanes<V>) (frames_at<V>(frames + n) + placing.from(n)).put_to(frames + n);
 }
 
 template <LaneWidth kWidth>
@@ -153,7 +151,7 @@ Squares Passes<kWidth>::squares(const double* x, int count) noexcept {
   SquareSums<V> sums;
   for (int n = 0; n < count; n += 8)
 #pragma GCC unroll 4
-    for (int part = 0; part < sums.kParts; ++part) sums.take(at<V>(x + n + part * kLanes<V>), part);
+    for (int part = 0; part < sums.kParts; ++part) sums.take(vector_at<V>(x + n + part * kLanes<V>), part);
   return sums.joined();
 }
 
@@ -164,7 +162,7 @@ Squares Passes<kWidth>::narrow(const Lanes* frames, int count, float* out) noexc
   for (int n = 0; n < count; n += 4)
 #pragma GCC unroll 4
     for (int part = 0; part < sums.kParts; ++part) {
-      const V x = at<V>(frames + n + part * kLanes<V> / 2);
+      const V x = vector_at<V>(frames + n + part * kLanes<V> / 2);
       sums.take(x, part);
       put(out + 2 * n + part * kLanes<V>, __builtin_convertvector(x, typename Vector<kWidth>::Floats));
     }
@@ -180,7 +178,7 @@ void Passes<kWidth>::highest_of_eights(const Lanes* frames, int count, double* h
     V most{};
 #pragma GCC unroll 8
     for (int k = 0; k < 8; k += kFrames)
-      most = larger_of(most, (V)((Bits)at<V>(frames + n + k) & std::int64_t{0x7fffffffffffffff}));
+      most = larger_of(most, (V)((Bits)vector_at<V>(frames + n + k) & std::int64_t{0x7fffffffffffffff}));
     Two pair[kFrames];
     std::memcpy(pair, &most, sizeof pair);
     for (int k = 1; k < kFrames; ++k) pair[0] = larger_of(pair[0], pair[k]);

@@ -15,7 +15,7 @@ class LevelMeter {
   /// `count` samples; a multiple of 8. False, and none of them counts, when one is not finite or so large
   /// that it is no sound.
   bool add(const double* x, int count) noexcept {
-    const auto squares = dsp::with_widest_lanes([&](auto passes) { return passes.squares(x, count); });
+    const auto squares = dsp::with_widest<dsp::Passes>([&](auto passes) { return passes.squares(x, count); });
     if (!(dsp::total(squares.sum) < kNoSound)) return false;
     sum_ += squares.sum;
     most_ = dsp::larger(most_, squares.most);

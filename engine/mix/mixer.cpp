@@ -56,7 +56,7 @@ bool Mixer::place(const Buses& buses, dsp::Lanes* x) const noexcept {
   }
   if (sounding.count == 0) return false;
   const dsp::Placed* const p = sounding.placed;
-  dsp::with_widest_lanes([&](auto passes) {
+  dsp::with_widest<dsp::Passes>([&](auto passes) {
     if (sounding.count == 1) return passes.place(p[0], kChunk, x);
     passes.place(p[0], p[1], kChunk, x);
     for (int bus = 2; bus < sounding.count; ++bus) passes.add_placed(p[bus], kChunk, x);

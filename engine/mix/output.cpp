@@ -28,7 +28,8 @@ void Output::write(const dsp::Lanes* x, const GainCurve& gain, float* out) noexc
     for (int n = 0; n < kChunk; ++n) scaled[n] = gain.at(n) * x[n];
     x = scaled;
   }
-  const auto squares = dsp::with_widest_lanes([&](auto passes) { return passes.narrow(x, kChunk, frames); });
+  const auto squares =
+      dsp::with_widest<dsp::Passes>([&](auto passes) { return passes.narrow(x, kChunk, frames); });
   energy_ += squares.sum;
   most_ = dsp::larger(most_, squares.most);
   if (frames != out) spread(frames, channels_, out);

@@ -42,7 +42,7 @@ double true_peak(const dsp::Lanes* x) noexcept {
 
 double TruePeak::of(const dsp::Lanes* x, double least) noexcept {
   double peak[2 + kChunk / kGroup] = {past_[0], past_[1]};
-  dsp::with_widest_lanes([&](auto passes) { passes.highest_of_eights(x, kChunk, peak + 2); });
+  dsp::with_widest<dsp::Passes>([&](auto passes) { passes.highest_of_eights(x, kChunk, peak + 2); });
   double most = *std::max_element(peak + 2, std::end(peak));
   const double most_reach = std::max({most, past_[0], past_[1]});
   past_[0] = peak[kChunk / kGroup], past_[1] = peak[1 + kChunk / kGroup];

@@ -35,7 +35,7 @@ std::vector<Lanes> frames_of(std::uint64_t stream) {
 template <class Check>
 void at_each_width(Check check) {
   check(Passes<LaneWidth::kTwo>());
-  with_widest_lanes([&](auto passes) { check(passes); });
+  with_widest<Passes>([&](auto passes) { check(passes); });
 }
 
 bool same(Lanes a, Lanes b) { return a[0] == b[0] && a[1] == b[1]; }

@@ -14,4 +14,14 @@ inline LaneWidth widest_lanes() noexcept {
   return LaneWidth::kTwo;
 }
 
+/// What `take` returns for the Kernels of the widest lanes. Those of each width are compiled in a file of
+/// their own.
+template <template <LaneWidth> class Kernels, class Take>
+auto with_widest(Take take) noexcept {
+#ifdef RIGSOUND_AVX2
+  if (widest_lanes() == LaneWidth::kFour) return take(Kernels<LaneWidth::kFour>());
+#endif
+  return take(Kernels<LaneWidth::kTwo>());
+}
+
 }  // namespace rigsound::dsp

@@ -17,7 +17,7 @@ struct Placed {
   Lanes gains;  ///< to the first and the second channel
 };
 
-/// Each width is compiled in a file of its own; kFour only where there is AVX2.
+/// Taken by with_widest<Passes>().
 template <LaneWidth kWidth>
 struct Passes {
   /// out[n] += gain x[n], for n < count.
@@ -38,14 +38,5 @@ struct Passes {
   /// highest[i] = the highest magnitude on both channels of frames 8 i ... 8 i + 7.
   static void highest_of_eights(const Lanes* frames, int count, double* highest) noexcept;
 };
-
-/// What `take` returns for the Passes of the widest lanes.
-template <class Take>
-auto with_widest_lanes(Take take) noexcept {
-#ifdef RIGSOUND_AVX2
-  if (widest_lanes() == LaneWidth::kFour) return take(Passes<LaneWidth::kFour>());
-#endif
-  return take(Passes<LaneWidth::kTwo>());
-}
 
 }  // namespace rigsound::dsp
