@@ -48,24 +48,28 @@ class Asking(threading.Thread):
         self.join()
 
 
-class Watchdog:
-    """What systemd would hear of a daemon started with `env`."""
+class Watchdog(threading.Thread):
+    """What systemd would hear of a daemon started with `env`. Like systemd it reads at once: the kernel holds ten unread messages, then who writes waits."""
     def __init__(self, test):
-        self.path = test.folder / 'notify'
+        super().__init__()
+        path = test.folder / 'notify'
+        self.feedings, self.known = 0, 0
         self.socket = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
-        self.socket.bind(str(self.path))
-        self.socket.setblocking(False)
-        test.addCleanup(self.socket.close)
-        self.env = {**os.environ, 'NOTIFY_SOCKET': str(self.path), 'WATCHDOG_USEC': '200000'}
+        self.socket.bind(str(path))
+        self.env = {**os.environ, 'NOTIFY_SOCKET': str(path), 'WATCHDOG_USEC': '200000'}
+        self.start()
+        test.addCleanup(self.join)
+        test.addCleanup(self.socket.shutdown, socket.SHUT_RDWR)
+
+    def run(self):
+        with self.socket:
+            while heard := self.socket.recv(4096):
+                self.feedings += heard.count(b'WATCHDOG=1')
 
     def fed(self):
         """Times since the last call."""
-        times = 0
-        while True:
-            try:
-                times += self.socket.recv(4096).count(b'WATCHDOG=1')
-            except BlockingIOError:
-                return times
+        known, self.known = self.known, self.feedings
+        return self.known - known
 
 
 class Attack(DaemonCase):
