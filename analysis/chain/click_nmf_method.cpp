@@ -9,6 +9,7 @@
 #include "chain/clip_analysis.hpp"
 #include "chain/clip_verdict.hpp"
 #include "chain/second_machine.hpp"
+#include "clicks/coherent_alignment.hpp"
 #include "clicks/drilling_test.hpp"
 #include "clicks/second_strikes.hpp"
 #include "denoise/beyond_chance.hpp"
@@ -178,10 +179,9 @@ Pass second_pass(const std::vector<float>& x, const MeanPsd& powers, const WordF
 }
 
 /// After the verdict, whose figures are those of plain trains.
-void add_second_strikes(const WordFit& clip, Pass& pass) {
-  ClickTrain twice = with_second_strikes(pass.found.y, pass.found.candidates, pass.clicks);
-  if (twice.P.size() <= pass.clicks.P.size()) return;
-  pass.clicks = std::move(twice);
+void refine(const WordFit& clip, ClickTrain refined, Pass& pass) {
+  if (refined.P == pass.clicks.P) return;
+  pass.clicks = std::move(refined);
   pass.factors = final_factors(clip, pass.clicks, noise_share(mean_psd(*pass.factors, clip.power())));
 }
 
@@ -245,11 +245,13 @@ std::vector<ClipMachine> split_by_click_nmf(const std::vector<float>& x, const s
     pass = second_pass(x, mean_psd(*pass.factors, power), clip, dump);
   }
   if (may_drill) verdict = judged();
-  if (drills(verdict)) add_second_strikes(clip, pass);
-  if (drills(verdict))
+  if (drills(verdict)) {
+    refine(clip, with_second_strikes(pass.found.y, pass.found.candidates, pass.clicks), pass);
     if (const auto two = find_second_machine(x, start.found.y, clip, pass.clicks))
       if (auto both = split_of_two(x, windows, X, power, *two, dump); !both.empty()) return both;
+  }
   const bool by_clicks = pass.factors && (options.labelled || drills(verdict));
+  if (by_clicks) refine(clip, aligned_to_waveform(pass.found.y, pass.clicks), pass);
   const Factors& split = by_clicks ? *pass.factors : start.blind;
   dump_split(dump, "pass2", X, power, split, x.size());
   return {machine_of(X, power, split, std::move(verdict), std::move(pass.clicks), x.size())};

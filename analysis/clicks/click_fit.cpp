@@ -57,6 +57,13 @@ ClickTrain train_of(const ModelClicks& clicks, const ClickEnvelope& envelope, do
   return train;
 }
 
+/// The last of all fits: powers at full rate.
+ClickTrain finished(const Eigen::ArrayXd& power, double T_0, const ClickEnvelope& envelope,
+                    ModelClicks& clicks) {
+  update_powers(power, TrainPower(envelope_power(envelope, 1), clicks.onset, power.size()), 6, 1e9, clicks);
+  return train_of(clicks, envelope, T_0, power.size());
+}
+
 Eigen::ArrayXd in_blocks(const Eigen::ArrayXd& others, int block) {
   return others.size() > 0 ? block_mean(others, block) : others;
 }
@@ -82,8 +89,19 @@ ClickTrain fit_finely(const Eigen::ArrayXd& y, double T_0, ClickEnvelope envelop
   const Eigen::ArrayXd power = y.square();
   const EnvelopePower shape = envelope_power(envelope, 1);
   for (const long step : {2L, 1L}) shift_clicks(power, shape, {kFullRateReach, step}, clicks);
-  update_powers(power, TrainPower(shape, clicks.onset, y.size()), 6, 1e9, clicks);
-  return train_of(clicks, envelope, T_0, y.size());
+  return finished(power, T_0, envelope, clicks);
+}
+
+ClickTrain refitted(const Eigen::ArrayXd& y, const ClickTrain& train) {
+  const Eigen::ArrayXd q = block_power(y, kFine);
+  ModelClicks clicks;
+  clicks.onset.assign(train.P.begin(), train.P.end());
+  rescale(clicks, 1, kFine);
+  set_first_powers(q, clicks);
+  ClickEnvelope envelope = train.envelope;
+  fit_envelope(q, train.mean_gap_samples, {kFine, 40, 2}, envelope, clicks);
+  rescale(clicks, kFine, 1);
+  return finished(y.square(), train.mean_gap_samples, envelope, clicks);
 }
 
 ClickTrain fit_clicks(const Eigen::ArrayXd& y, const Candidates& candidates, const Selection& selection,

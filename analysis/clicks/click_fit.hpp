@@ -35,4 +35,8 @@ EnvelopePower fit_coarsely(const Eigen::ArrayXd& q, double T_0, int iterations, 
 ClickTrain fit_finely(const Eigen::ArrayXd& y, double T_0, ClickEnvelope envelope, ModelClicks clicks,
                       const Eigen::ArrayXd& others);
 
+/// The train with envelope and amplitudes fitted anew at full rate; the onsets, ascending, move only
+/// together. Thread: OFF.
+ClickTrain refitted(const Eigen::ArrayXd& y, const ClickTrain& train);
+
 }  // namespace rigsound::analysis

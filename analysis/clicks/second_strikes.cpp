@@ -150,7 +150,8 @@ ClickTrain with_second_strikes(const Eigen::ArrayXd& y, const Candidates& candid
   const std::vector<bool> second = second_ones(clicks.onset, (1 + 2 * kSameTime) * time / kCoarse);
   if (strength(clicks, second) < kStrong) return train;
   remove_doubtful(q, envelope_power(envelope, kCoarse), second, clicks);
-  return fit_finely(y, train.mean_gap_samples, envelope, std::move(clicks), {});
+  ClickTrain twice = fit_finely(y, train.mean_gap_samples, envelope, std::move(clicks), {});
+  return twice.P.size() > train.P.size() ? twice : train;
 }
 
 }  // namespace rigsound::analysis
