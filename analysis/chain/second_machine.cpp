@@ -5,6 +5,7 @@
 #include <complex>
 
 #include "clicks/known_train.hpp"
+#include "clicks/onset_owners.hpp"
 #include "clicks/whitening.hpp"
 #include "denoise/cs_nmf.hpp"
 #include "spectrum/stft.hpp"
@@ -143,8 +144,33 @@ bool find_anew(const std::vector<float>& x, const WordFit& clip, TwoMachines& tw
     if (own.clicks.P.size() < kFewestFitted) return false;
     add_hidden_clicks(two.machine[1 - k].clicks, own.clicks);
   }
-  two.factors = factors_of(two.machine, clip);
   return true;
+}
+
+/// The onsets of both as those of one, ascending.
+std::vector<int> onsets_of_both(const TwoMachines& two) {
+  const std::vector<int>&first = two.machine[0].clicks.P, &second = two.machine[1].clicks.P;
+  std::vector<int> onsets(first.size() + second.size());
+  std::merge(first.begin(), first.end(), second.begin(), second.end(), onsets.begin());
+  return onsets;
+}
+
+/// Each machine was found alone: where both strike at nearly the same time an onset of one may have been
+/// taken for the other's. Divided anew by both rhythms; as they are where that leaves one of them too few.
+void divide_by_rhythm(TwoMachines& two) {
+  const std::vector<int> onsets = onsets_of_both(two);
+  const std::vector<int> owner =
+      owners(onsets, {gap_figures(two.machine[0].clicks.P), gap_figures(two.machine[1].clicks.P)});
+  std::array<ClickTrain, 2> divided{two.machine[0].clicks, two.machine[1].clicks};
+  for (ClickTrain& train : divided) train.P.clear(), train.beta.clear();
+  for (std::size_t i = 0; i < onsets.size(); ++i)
+    if (owner[i] != kNobody) divided[owner[i]].P.push_back(onsets[i]), divided[owner[i]].beta.push_back(1);
+  for (int k = 0; k < 2; ++k)
+    if (divided[k].P.size() < kFewestFitted) return;
+  for (int k = 0; k < 2; ++k) {
+    FoundMachine& m = two.machine[k];
+    m.clicks = refitted(m.found.y, divided[k], hear_beside(m.found.y, divided[1 - k], divided[k]).variance);
+  }
 }
 
 }  // namespace
@@ -180,12 +206,14 @@ std::optional<TwoMachines> find_second_machine(const std::vector<float>& x, cons
   const double locking =
       std::min(phase_locking(first, two.machine[1].clicks), phase_locking(two.machine[1].clicks, first));
   if (locking > kPhaseLocked) return std::nullopt;
-  two.factors = factors_of(two.machine, clip);
   for (int round = 0; round < kJointRounds; ++round) {
+    two.factors = factors_of(two.machine, clip);
     if (!find_anew(x, clip, two)) return std::nullopt;
+    divide_by_rhythm(two);
   }
   const double anew = std::min(two.machine[0].found.clearness(), two.machine[1].found.clearness());
   if (std::max(at_first, anew) < kSecondClear) return std::nullopt;
+  two.factors = factors_of(two.machine, clip);
   return two;
 }
 

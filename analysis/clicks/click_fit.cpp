@@ -92,15 +92,17 @@ ClickTrain fit_finely(const Eigen::ArrayXd& y, double T_0, ClickEnvelope envelop
   return finished(power, T_0, envelope, clicks);
 }
 
-ClickTrain refitted(const Eigen::ArrayXd& y, const ClickTrain& train) {
+ClickTrain refitted(const Eigen::ArrayXd& y, const ClickTrain& train, const Eigen::ArrayXd& others) {
   const Eigen::ArrayXd q = block_power(y, kFine);
   ModelClicks clicks;
   clicks.onset.assign(train.P.begin(), train.P.end());
   rescale(clicks, 1, kFine);
+  clicks.others = in_blocks(others, kFine);
   set_first_powers(q, clicks);
   ClickEnvelope envelope = train.envelope;
   fit_envelope(q, train.mean_gap_samples, {kFine, 40, 2}, envelope, clicks);
   rescale(clicks, kFine, 1);
+  clicks.others = others;
   return finished(y.square(), train.mean_gap_samples, envelope, clicks);
 }
 

@@ -36,7 +36,7 @@ ClickTrain fit_finely(const Eigen::ArrayXd& y, double T_0, ClickEnvelope envelop
                       const Eigen::ArrayXd& others);
 
 /// The train with envelope and amplitudes fitted anew at full rate; the onsets, ascending, move only
-/// together. Thread: OFF.
-ClickTrain refitted(const Eigen::ArrayXd& y, const ClickTrain& train);
+/// together. `others`: see fit_clicks(). Thread: OFF.
+ClickTrain refitted(const Eigen::ArrayXd& y, const ClickTrain& train, const Eigen::ArrayXd& others = {});
 
 }  // namespace rigsound::analysis
