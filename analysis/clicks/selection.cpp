@@ -38,28 +38,71 @@ double deviation_cost(double ln_ratio, double width) {
 
 double edge_cost(double silence, double T_0) { return kMissCost * std::min(kLongestEdge, silence / T_0); }
 
-struct Step {
-  double total;
-  int previous;
-  double best_so_far = 0;  ///< of the totals up to here
+/// Candidates that a gap to the one at hand may follow, and the best of those that only a pause follows, -1
+/// for none.
+struct Predecessors {
+  int first, last, pause;
 };
 
-/// The best chain that ends at candidate i, given those before it. `pause`: the best that ended over
-/// kLongestGap ago, -1 for none. No gap costs less than nothing: where the best total up to j would not do,
-/// none before it does.
-Step best_step(const std::vector<int>& time, const std::vector<Step>& steps, int i, int pause, double score,
-               const GapCosts& costs) {
-  Step best{score - edge_cost(time[i], costs.T_0), -1};
-  if (pause >= 0 && steps[pause].total + score - kPauseCost > best.total)
-    best = {steps[pause].total + score - kPauseCost, pause};
-  const auto longest = static_cast<int>(costs.of_gap.size());
-  for (int j = i - 1; j >= 0 && time[i] - time[j] < longest && steps[j].best_so_far + score > best.total;
-       --j) {
-    const double total = steps[j].total + score - costs.of_gap[time[i] - time[j]];
-    if (total > best.total) best = {total, j};
+/// The best chains that end at each candidate, one after the other.
+class ChainEnds {
+ public:
+  ChainEnds(const std::vector<int>& time, const std::vector<double>& score, const GapCosts& costs)
+      : time_(time.data()), score_(score.data()), costs_(costs) {
+    total_.reserve(time.size()), best_so_far_.reserve(time.size()), before_.reserve(time.size());
   }
-  return best;
-}
+
+  double total(int i) const { return total_[static_cast<std::size_t>(i)]; }
+
+  void add(const Predecessors& before) {
+    const double total = best_total(static_cast<int>(total_.size()), before);
+    best_so_far_.push_back(total_.empty() ? total : std::max(best_so_far_.back(), total));
+    total_.push_back(total);
+    before_.push_back(before);
+  }
+
+  /// -1 for none. Of equals the latest that a gap follows is last.
+  int predecessor(int i) const {
+    const Predecessors& before = before_[static_cast<std::size_t>(i)];
+    const double total = this->total(i);
+    if (total == alone(i)) return -1;
+    if (before.pause >= 0 && total == after_pause(i, before.pause)) return before.pause;
+    int j = before.last;
+    while (after_gap(total_.data(), i, j) != total) --j;
+    return j;
+  }
+
+ private:
+  /// By value: std::max() of what is computed becomes a jump.
+  static double most(double a, double b) { return a > b ? a : b; }
+
+  double alone(int i) const { return score_[i] - edge_cost(time_[i], costs_.T_0); }
+  double after_pause(int i, int j) const { return total(j) + score_[i] - kPauseCost; }
+  double after_gap(const double* total, int i, int j) const {
+    return total[j] + score_[i] - costs_.of_gap[static_cast<std::size_t>(time_[i] - time_[j])];
+  }
+
+  /// No gap costs less than nothing: where the best total up to j would not do, none before it does. Four at
+  /// a time, and without asking which it is: no processor foretells what improves.
+  double best_total(int i, const Predecessors& before) const {
+    const double *total = total_.data(), *best_so_far = best_so_far_.data();
+    const double score = score_[i];
+    double best = alone(i);
+    if (before.pause >= 0) best = most(best, after_pause(i, before.pause));
+    int j = before.last;
+    for (; j - 3 >= before.first && best_so_far[j] + score > best; j -= 4)
+      best = most(best, most(most(after_gap(total, i, j), after_gap(total, i, j - 1)),
+                             most(after_gap(total, i, j - 2), after_gap(total, i, j - 3))));
+    for (; j >= before.first && best_so_far[j] + score > best; --j) best = most(best, after_gap(total, i, j));
+    return best;
+  }
+
+  const int* time_;
+  const double* score_;
+  const GapCosts& costs_;
+  std::vector<double> total_, best_so_far_;
+  std::vector<Predecessors> before_;
+};
 
 /// Scores: the statistic scaled so that the reference candidate of every recording weighs the same, less a
 /// threshold that is higher where other candidates are clear.
@@ -96,13 +139,29 @@ std::vector<std::vector<int>> random_times(size_t count, long length) {
   return draws;
 }
 
-/// What chance alone gives: the total of the best chain through the candidates at random times.
+/// Of no best chain is the total less: that of the highest candidate alone.
+double least_total(const std::vector<double>& score) {
+  constexpr double kDearestEdge = kLongestEdge * kMissCost;
+  return *std::max_element(score.begin(), score.end()) - kDearestEdge - kDearestEdge;
+}
+
+/// What chance alone gives: the total of the best chain through the candidates at random times. Where
+/// is_enough(chance) of what is already known to be given, no more is drawn than for that.
+template <class IsEnough>
 double total_by_chance(const std::vector<std::vector<int>>& draws, const std::vector<double>& score,
-                       const GapCosts& costs, long length) {
+                       const GapCosts& costs, long length, const IsEnough& is_enough) {
+  const double least = least_total(score);
   double sum = 0;
-  for (const std::vector<int>& time : draws) sum += best_chain(time, score, costs, length).total;
+  for (std::size_t drawn = 0; drawn < draws.size(); ++drawn) {
+    sum += best_chain(draws[drawn], score, costs, length).total;
+    double at_least = sum;
+    for (std::size_t rest = drawn + 1; rest < draws.size(); ++rest) at_least += least;
+    if (is_enough(at_least / kChanceDraws)) return at_least / kChanceDraws;
+  }
   return sum / kChanceDraws;
 }
+
+bool never(double) { return false; }
 
 std::vector<int> blocks_of(const Candidates& candidates, const Chain& chain) {
   std::vector<int> blocks;
@@ -148,7 +207,7 @@ double gap_cost(double g) {
   if (g < kShortestGap || g > kLongestGap) return kInfinite;
   const double ln_g = std::log(g);
   double cost = deviation_cost(ln_g, 0.2);
-  for (int k = 2; k <= 4; ++k)
+  for (int k = 2; k <= 4 && cost > kMissCost * (k - 1); ++k)
     cost = std::min(cost, kMissCost * (k - 1) + deviation_cost(ln_g - kLn[k], 0.16));
   return g < kDoubleBelow ? std::min(cost, kDoubleCost) : cost;
 }
@@ -160,21 +219,25 @@ GapCosts::GapCosts(double period) : T_0(period) {
 Chain best_chain(const std::vector<int>& time, const std::vector<double>& score, const GapCosts& costs,
                  long length) {
   const double T_0 = costs.T_0;
-  std::vector<Step> steps;
-  int best = -1, pause = -1, waiting = 0;
+  const long shortest =
+      std::find_if(costs.of_gap.begin(), costs.of_gap.end(), [](double cost) { return cost < kInfinite; }) -
+      costs.of_gap.begin();
+  ChainEnds ends(time, score, costs);
+  Predecessors before{0, -1, -1};
+  int best = -1;
   double best_total = -kInfinite;
   for (int i = 0; i < static_cast<int>(time.size()); ++i) {
-    for (; time[i] - time[waiting] > kLongestGap * T_0; ++waiting)
-      if (pause < 0 || steps[waiting].total > steps[pause].total) pause = waiting;
-    Step step = best_step(time, steps, i, pause, score[i], costs);
-    step.best_so_far = i > 0 ? std::max(steps[i - 1].best_so_far, step.total) : step.total;
-    steps.push_back(step);
-    const double total = steps[i].total - edge_cost(static_cast<double>(length - time[i]), T_0);
+    for (; time[i] - time[before.first] > kLongestGap * T_0; ++before.first)
+      if (before.pause < 0 || ends.total(before.first) > ends.total(before.pause))
+        before.pause = before.first;
+    while (before.last + 1 < i && time[i] - time[before.last + 1] >= shortest) ++before.last;
+    ends.add(before);
+    const double total = ends.total(i) - edge_cost(static_cast<double>(length - time[i]), T_0);
     if (total > best_total) best_total = total, best = i;
   }
   Chain chain;
   chain.total = best_total;
-  for (int i = best; i >= 0; i = steps[i].previous) chain.chosen.push_back(i);
+  for (int i = best; i >= 0; i = ends.predecessor(i)) chain.chosen.push_back(i);
   std::reverse(chain.chosen.begin(), chain.chosen.end());
   return chain;
 }
@@ -188,7 +251,7 @@ Selection select_at_period(const Candidates& candidates, double T_0) {
   const Chain chain = best_chain(candidates.block, score, costs, candidates.z.size());
   selection.total = chain.total;
   selection.surplus = chain.total - total_by_chance(random_times(score.size(), candidates.z.size()), score,
-                                                    costs, candidates.z.size());
+                                                    costs, candidates.z.size(), never);
   selection.block = blocks_of(candidates, chain);
   return selection;
 }
@@ -204,7 +267,7 @@ Selection select_clicks(const Candidates& candidates, const RateRange& range) {
     hypotheses.push_back(best_near(T, candidates, score));
   std::stable_sort(hypotheses.begin(), hypotheses.end(),
                    [](const Hypothesis& a, const Hypothesis& b) { return a.chain.total > b.chain.total; });
-  const double least_chance = *std::max_element(score.begin(), score.end()) - 2 * kLongestEdge * kMissCost;
+  const double least_chance = least_total(score);
   double best = -kInfinite;
   const auto take = [&](const Hypothesis& h, double chance) {
     selection.surplus = h.chain.total - chance;
@@ -213,16 +276,17 @@ Selection select_clicks(const Candidates& candidates, const RateRange& range) {
     selection.mean_gap_blocks = selection.block.size() > 2 ? median_gap(selection.block) : h.costs.T_0;
   };
   for (const Hypothesis& h : hypotheses) {
-    if (h.chain.total - kChanceShare * least_chance <= best) break;  // nor does any that follows exceed it
-    const double chance = total_by_chance(draws, score, h.costs, candidates.z.size());
-    if (h.chain.total - kChanceShare * chance <= best) continue;
+    const auto loses = [&](double chance) { return h.chain.total - kChanceShare * chance <= best; };
+    if (loses(least_chance)) break;  // so does all that follows
+    const double chance = total_by_chance(draws, score, h.costs, candidates.z.size(), loses);
+    if (loses(chance)) continue;
     best = h.chain.total - kChanceShare * chance;
     take(h, chance);
   }
   const double pairs = period_of_pairs(selection.block);
   if (pairs > 0 && kBlockRate / pairs >= range.slowest_hz) {
     const Hypothesis h = best_near(static_cast<int>(std::lround(pairs)), candidates, score);
-    take(h, total_by_chance(draws, score, h.costs, candidates.z.size()));
+    take(h, total_by_chance(draws, score, h.costs, candidates.z.size(), never));
   }
   return selection;
 }

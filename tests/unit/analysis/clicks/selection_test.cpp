@@ -30,6 +30,22 @@ double total_of(const std::vector<int>& time, const std::vector<double>& score, 
   return total - 2 * std::min(3.0, double(length - time[last]) / T_0);
 }
 
+constexpr int kStrikes = 200;  // blocks apart, 15 a second
+
+/// Two seconds of strikes among denser clutter.
+Candidates strikes_in_clutter(unsigned seed) {
+  TestNoise noise(seed);
+  Candidates candidates;
+  candidates.z = Eigen::ArrayXd::Zero(6000);
+  for (int t = 20; t < 6000; t += 15 + int(50 * noise.uniform())) candidates.z(t) = 5 + 2 * noise.uniform();
+  for (int t = 100; t < 6000; t += kStrikes) candidates.z(t) = 11 + 3 * noise.uniform();
+  for (int t = 0; t < 6000; ++t)
+    if (candidates.z(t) > 0) candidates.block.push_back(t);
+  return candidates;
+}
+
+double chance_of(const Selection& selection) { return selection.total - selection.surplus; }
+
 }  // namespace
 
 TEST_CASE("a gap costs nothing at one period, little at a miss or a double, and too much elsewhere") {
@@ -76,17 +92,20 @@ TEST_CASE("the autocorrelation's peaks become period hypotheses") {
 }
 
 TEST_CASE("strikes are mostly told from denser clutter, which any short period would find") {
-  constexpr int kStrikes = 200;  // blocks apart, 15 a second
   int found = 0;
-  for (unsigned seed = 60; seed < 80; ++seed) {
-    TestNoise noise(seed);
-    Candidates candidates;
-    candidates.z = Eigen::ArrayXd::Zero(6000);
-    for (int t = 20; t < 6000; t += 15 + int(50 * noise.uniform())) candidates.z(t) = 5 + 2 * noise.uniform();
-    for (int t = 100; t < 6000; t += kStrikes) candidates.z(t) = 11 + 3 * noise.uniform();
-    for (int t = 0; t < 6000; ++t)
-      if (candidates.z(t) > 0) candidates.block.push_back(t);
-    if (std::abs(select_clicks(candidates, kDrillingRates).mean_gap_blocks - kStrikes) < 10) ++found;
-  }
+  for (unsigned seed = 60; seed < 80; ++seed)
+    if (std::abs(select_clicks(strikes_in_clutter(seed), kDrillingRates).mean_gap_blocks - kStrikes) < 10)
+      ++found;
   CHECK(found >= 12);  // of 20
+}
+
+TEST_CASE("the surplus of what is selected is over all that chance gives at one of the periods") {
+  for (unsigned seed = 60; seed < 64; ++seed) {
+    const Candidates candidates = strikes_in_clutter(seed);
+    const double chance = chance_of(select_clicks(candidates, kDrillingRates));
+    double nearest = 1e9;
+    for (int T = 25; T < 450; ++T)
+      nearest = std::min(nearest, std::fabs(chance_of(select_at_period(candidates, T)) - chance));
+    CHECK(nearest < 1e-9);
+  }
 }
