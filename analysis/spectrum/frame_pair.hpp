@@ -31,13 +31,27 @@ class FramePair {
   void forward() { fft_.forward(re_.data(), im_.data()); }
 
   /// Bin 0 ... size / 2 of each spectrum. Call after forward().
-  std::complex<float> first_bin(int k) const;
-  std::complex<float> second_bin(int k) const;
+  std::complex<float> first_bin(int k) const {
+    const int m = mirrored(k);
+    return {0.5f * (re_[k] + re_[m]), 0.5f * (im_[k] - im_[m])};
+  }
+  std::complex<float> second_bin(int k) const {
+    const int m = mirrored(k);
+    return {0.5f * (im_[k] + im_[m]), 0.5f * (re_[m] - re_[k])};
+  }
   /// The sum of both squared magnitudes there.
-  float power(int k) const;
+  float power(int k) const {
+    const int m = mirrored(k);
+    return 0.5f * (re_[k] * re_[k] + im_[k] * im_[k] + re_[m] * re_[m] + im_[m] * im_[m]);
+  }
 
   /// Sets bin 0 ... size / 2 of both; the imaginary parts of bins 0 and size / 2 count for nothing.
-  void set_bins(int k, std::complex<float> first, std::complex<float> second);
+  void set_bins(int k, std::complex<float> first, std::complex<float> second) {
+    const int m = mirrored(k);
+    if (m == k) first.imag(0), second.imag(0);
+    re_[k] = first.real() - second.imag(), im_[k] = first.imag() + second.real();
+    re_[m] = first.real() + second.imag(), im_[m] = second.real() - first.imag();
+  }
   /// Both frames from their bins, divided by the size.
   void inverse();
 
