@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 
 #include "clicks/gaps.hpp"
@@ -174,14 +175,42 @@ struct Hypothesis {
   Chain chain;
 };
 
+/// The best chain through the candidates by period, blocks: most hypotheses are refined to few periods.
+class ChainsByPeriod {
+ public:
+  ChainsByPeriod(const Candidates& candidates, const std::vector<double>& score)
+      : candidates_(candidates), score_(score) {}
+
+  const Chain& of(const GapCosts& costs) {
+    return found(costs.T_0, [&] { return through(costs); });
+  }
+  const Chain& of(double period) {
+    return found(period, [&] { return through(GapCosts(period)); });
+  }
+
+ private:
+  Chain through(const GapCosts& costs) const {
+    return best_chain(candidates_.block, score_, costs, candidates_.z.size());
+  }
+
+  template <class Search>
+  const Chain& found(double period, const Search& search) {
+    const auto known = chains_.find(period);
+    return known != chains_.end() ? known->second : chains_.emplace(period, search()).first->second;
+  }
+
+  const Candidates& candidates_;
+  const std::vector<double>& score_;
+  std::map<double, Chain> chains_;
+};
+
 /// The best chain of period T, refined by its own gaps.
-Hypothesis best_near(int T, const Candidates& candidates, const std::vector<double>& score) {
+Hypothesis best_near(int T, const Candidates& candidates, ChainsByPeriod& chains) {
   Hypothesis h{GapCosts(T), {}};
-  h.chain = best_chain(candidates.block, score, h.costs, candidates.z.size());
+  h.chain = chains.of(h.costs);
   if (h.chain.chosen.size() <= 3) return h;
   const double refined = median_gap(blocks_of(candidates, h.chain));
-  if (std::fabs(refined / T - 1) < 0.35)
-    h.chain = best_chain(candidates.block, score, GapCosts(refined), candidates.z.size());
+  if (std::fabs(refined / T - 1) < 0.35) h.chain = chains.of(refined);
   return h;
 }
 
@@ -262,9 +291,10 @@ Selection select_clicks(const Candidates& candidates, const RateRange& range) {
   const double reference = reference_statistic(candidates);
   const std::vector<double> score = scores(candidates, reference);
   const std::vector<std::vector<int>> draws = random_times(score.size(), candidates.z.size());
+  ChainsByPeriod chains(candidates, score);
   std::vector<Hypothesis> hypotheses;
   for (const int T : period_hypotheses(candidates.z.min(reference), kBlockRate, range))
-    hypotheses.push_back(best_near(T, candidates, score));
+    hypotheses.push_back(best_near(T, candidates, chains));
   std::stable_sort(hypotheses.begin(), hypotheses.end(),
                    [](const Hypothesis& a, const Hypothesis& b) { return a.chain.total > b.chain.total; });
   const double least_chance = least_total(score);
@@ -285,7 +315,7 @@ Selection select_clicks(const Candidates& candidates, const RateRange& range) {
   }
   const double pairs = period_of_pairs(selection.block);
   if (pairs > 0 && kBlockRate / pairs >= range.slowest_hz) {
-    const Hypothesis h = best_near(static_cast<int>(std::lround(pairs)), candidates, score);
+    const Hypothesis h = best_near(static_cast<int>(std::lround(pairs)), candidates, chains);
     take(h, total_by_chance(draws, score, h.costs, candidates.z.size(), never));
   }
   return selection;
