@@ -1,5 +1,6 @@
 #include "locked_memory.hpp"
 
+#include <malloc.h>
 #include <pthread.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -12,6 +13,13 @@ namespace rigsound::daemon {
 namespace {
 
 constexpr std::size_t kThreadStack = 1 << 20;  // locked whole, once a thread: the usual 8 MiB would be waste
+
+/// A heap a thread would be 64 MiB of addresses each, which count as locked; the audio thread takes nothing.
+void limit_heaps() {
+#ifdef __GLIBC__
+  ::mallopt(M_ARENA_MAX, 1);
+#endif
+}
 
 void limit_stacks() {
   pthread_attr_t attributes;
@@ -30,6 +38,7 @@ std::string lock_memory() {
   if (limit.rlim_cur != RLIM_INFINITY && ::geteuid() != 0)
     return "not locked, RLIMIT_MEMLOCK is " + std::to_string(limit.rlim_cur / 1024) + " KiB";
   limit_stacks();
+  limit_heaps();
   if (::mlockall(MCL_CURRENT | MCL_FUTURE) != 0) return std::string("not locked: ") + std::strerror(errno);
   return "locked";
 }

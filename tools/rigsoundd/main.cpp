@@ -35,8 +35,8 @@ int complain(const std::exception& error, int code) {
 int serve(const daemon::DaemonOptions& options) {
   const FileDescriptor signals = take_signals();
   try {
-    daemon::start_log();
     const std::string memory = daemon::lock_memory();
+    daemon::start_log();
     {
       daemon::Daemon daemon(options);
       daemon::log_info("memory " + memory);
