@@ -60,7 +60,7 @@ Eigen::ArrayXXd variance_costs(const Eigen::ArrayXd& y, double independent, cons
                                const Span& span) {
   const Eigen::ArrayXd q = block_power(y, kCoarse);
   ModelClicks clicks;
-  for (const int P : train.P) clicks.onset.push_back(P / kCoarse);
+  clicks.onset = onsets_in_blocks(train.P, kCoarse);
   set_first_powers(q, clicks);
   const EnvelopePower shape = envelope_power(train.envelope, kCoarse);
   update_powers(q, TrainPower(shape, clicks.onset, q.size()), 4, kOutlierClip, clicks);

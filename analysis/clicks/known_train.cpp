@@ -17,7 +17,7 @@ constexpr int kHearingSweeps = 24;
 HeardTrain hear_train(const Eigen::ArrayXd& y, const ClickTrain& train, const Eigen::ArrayXd& others) {
   const Eigen::ArrayXd q = block_power(y, kHearingBlock);
   ModelClicks clicks;
-  for (const int P : train.P) clicks.onset.push_back(P / kHearingBlock);
+  clicks.onset = onsets_in_blocks(train.P, kHearingBlock);
   clicks.power = Eigen::ArrayXd::Constant(static_cast<long>(train.P.size()), q.mean());
   clicks.floor = q.mean();
   if (others.size() > 0) clicks.others = block_mean(others, kHearingBlock);

@@ -96,7 +96,7 @@ std::vector<long> second_onsets(const std::vector<Follower>& all, double time, s
 ModelClicks fitted_with(const std::vector<long>& second, const Eigen::ArrayXd& q, const ClickTrain& train,
                         ClickEnvelope& envelope) {
   ModelClicks clicks;
-  for (const int P : train.P) clicks.onset.push_back(P / kCoarse);
+  clicks.onset = onsets_in_blocks(train.P, kCoarse);
   clicks.onset.insert(clicks.onset.end(), second.begin(), second.end());
   std::sort(clicks.onset.begin(), clicks.onset.end());
   set_first_powers(q, clicks);
@@ -142,8 +142,7 @@ ClickTrain with_second_strikes(const Eigen::ArrayXd& y, const Candidates& candid
   const double time = usual_time(all, kClearAsClicks * usual_statistic(candidates, train), train.P.size());
   if (time == 0) return train;
   const Eigen::ArrayXd q = block_power(y, kCoarse);
-  std::vector<long> first;
-  for (const int P : train.P) first.push_back(P / kCoarse);
+  const std::vector<long> first = onsets_in_blocks(train.P, kCoarse);
   // Of the clicks until their second strikes.
   ClickEnvelope envelope = first_envelope(q, first, time, kCoarse);
   ModelClicks clicks = fitted_with(second_onsets(all, time, first.size()), q, train, envelope);

@@ -21,6 +21,12 @@ double model_cost(const Eigen::ArrayXd& q, const Eigen::ArrayXd& v, int block) {
   return 0.5 * block * (sums.first + sums.second);
 }
 
+std::vector<long> onsets_in_blocks(const std::vector<int>& P, int block) {
+  std::vector<long> onsets;
+  for (const int sample : P) onsets.push_back(sample / block);
+  return onsets;
+}
+
 void set_first_powers(const Eigen::ArrayXd& q, ModelClicks& clicks) {
   clicks.power =
       Eigen::ArrayXd::Constant(static_cast<long>(clicks.onset.size()), 3 * std::max(q.mean(), 1e-3));

@@ -20,6 +20,9 @@ struct ModelClicks {
   Eigen::ArrayXd others;    ///< variance of what else is known to sound, a block; empty: nothing
 };
 
+/// Ascending samples as blocks of `block` of them. Thread: OFF.
+std::vector<long> onsets_in_blocks(const std::vector<int>& P, int block);
+
 /// Where powers and floor begin: all clicks alike, and a floor out of the pauses. Thread: OFF.
 void set_first_powers(const Eigen::ArrayXd& q, ModelClicks& clicks);
 
