@@ -8,7 +8,7 @@
 namespace rigsound::tools {
 namespace {
 
-#if defined(__GLIBC__) && defined(MADV_HUGEPAGE)
+#ifdef __GLIBC__
 /// A stretch of the heap, taken and given back: what lies there later is cleared in few large pages.
 void ask_for_large_pages(std::size_t size) {
   constexpr std::size_t kLargePage = 2 << 20;
@@ -16,8 +16,6 @@ void ask_for_large_pages(std::size_t size) {
   if (stretch) madvise(stretch, size - 2 * kLargePage, MADV_HUGEPAGE);
   std::free(stretch);
 }
-#else
-void ask_for_large_pages(std::size_t) {}
 #endif
 
 }  // namespace
