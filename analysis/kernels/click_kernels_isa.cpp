@@ -9,11 +9,20 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr int kWide = 8;
-using Wide = double __attribute__((vector_size(sizeof(double) * kWide)));
-using WideBits = unsigned long long __attribute__((vector_size(sizeof(double) * kWide)));
-constexpr int kTaps = 16;  // floats side by side
-using Samples = float __attribute__((vector_size(sizeof(float) * kTaps)));
+// Eight partial sums, in as many parts as their registers: what is wider than a register lies in memory.
+#if defined(__AVX512F__)
+constexpr int kRegister = 64;
+#elif defined(__AVX__)
+constexpr int kRegister = 32;
+#else
+constexpr int kRegister = 16;
+#endif
+constexpr int kPartials = 8, kPart = kRegister / sizeof(double), kParts = kPartials / kPart;
+constexpr int kBoth = 2 * kPartials;  // two values are inverted by one division
+using Part = double __attribute__((vector_size(kRegister)));
+using PartBits = unsigned long long __attribute__((vector_size(kRegister)));
+constexpr int kTaps = kRegister / sizeof(float);  // samples side by side
+using Samples = float __attribute__((vector_size(kRegister)));
 
 constexpr unsigned long long kMantissa = 0xFFFFFFFFFFFFF, kOne = 0x3FF0000000000000;
 constexpr int kMantissaBits = 52, kExponentOfOne = 1023;
@@ -32,14 +41,15 @@ inline void store(T* p, const V& x) {
   __builtin_memcpy(p, &x, sizeof x);
 }
 
-inline double sum(const Wide& x) {
+inline double sum(const Part (&x)[kParts]) {
   double total = 0;
-  for (int i = 0; i < kWide; ++i) total += x[i];
+  for (const Part& part : x)
+    for (int i = 0; i < kPart; ++i) total += part[i];
   return total;
 }
 
-inline Wide at_most(double most, const Wide& x) {
-  const Wide limit = Wide{} + most;
+inline Part at_most(double most, const Part& x) {
+  const Part limit = Part{} + most;
   return x < limit ? x : limit;
 }
 
@@ -63,67 +73,70 @@ void filter(const float* x, long size, const float* A, int taps, float* y) {
 
 void tail(double carried, const double* decay, double floor, long size, double* v) {
   long n = 0;
-  for (; n + kWide <= size; n += kWide) store(v + n, floor + carried * load<Wide>(decay + n));
+  for (; n + kPart <= size; n += kPart) store(v + n, floor + carried * load<Part>(decay + n));
   for (; n < size; ++n) v[n] = floor + carried * decay[n];
 }
 
 struct Reciprocals {
-  Wide first, second;
+  Part first, second;
 };
 
 /// By one division for both: the loops wait for little else.
-inline Reciprocals reciprocals(const Wide& a, const Wide& b) {
-  const Wide of_both = 1.0 / (a * b);
+inline Reciprocals reciprocals(const Part& a, const Part& b) {
+  const Part of_both = 1.0 / (a * b);
   return {of_both * b, of_both * a};
 }
 
 /// So many of the values from p on, then `rest`.
-template <int Size>
-inline void load_some(const double* p, long count, double rest, double (&to)[Size]) {
-  for (int i = 0; i < Size; ++i) to[i] = i < count ? p[i] : rest;
+inline void load_some(const double* p, long count, double rest, double (&to)[kBoth]) {
+  for (int i = 0; i < kBoth; ++i) to[i] = i < count ? p[i] : rest;
 }
 
-inline Wide first_lanes(long count, const Wide& x) {
-  constexpr Wide kLane = {0, 1, 2, 3, 4, 5, 6, 7};
-  const Wide limit = Wide{} + static_cast<double>(count);
-  return kLane < limit ? x : Wide{};
-}
+struct PartialSums {
+  Part x[kParts] = {}, y[kParts] = {}, ax[kParts] = {}, ay[kParts] = {};
 
-struct WideSums {
-  Wide x = {}, y = {}, ax = {}, ay = {};
-
-  inline void add(const Wide& q, const Wide& inverse, const Wide& a, double clip) {
-    const Wide slope = at_most(clip, q * inverse) * inverse;
-    x += slope, y += inverse, ax += a * slope, ay += a * inverse;
+  inline void add(int part, const Part& q, const Part& inverse, const Part& a, double clip) {
+    const Part slope = at_most(clip, q * inverse) * inverse;
+    x[part] += slope, y[part] += inverse, ax[part] += a * slope, ay[part] += a * inverse;
   }
 };
 
 WeighedSums weigh(const double* q, const double* v, const double* a, double clip, long size) {
-  WideSums sums;
+  PartialSums sums;
   long n = 0;
-  for (; n + 2 * kWide <= size; n += 2 * kWide) {
-    const Reciprocals i = reciprocals(load<Wide>(v + n), load<Wide>(v + n + kWide));
-    sums.add(load<Wide>(q + n), i.first, load<Wide>(a + n), clip);
-    sums.add(load<Wide>(q + n + kWide), i.second, load<Wide>(a + n + kWide), clip);
-  }
+  for (; n + kBoth <= size; n += kBoth)
+    for (int part = 0; part < kParts; ++part) {
+      const long one = n + part * kPart, other = one + kPartials;
+      const Reciprocals i = reciprocals(load<Part>(v + one), load<Part>(v + other));
+      sums.add(part, load<Part>(q + one), i.first, load<Part>(a + one), clip);
+      sums.add(part, load<Part>(q + other), i.second, load<Part>(a + other), clip);
+    }
   if (const long left = size - n; left > 0) {
-    double some_q[2 * kWide], some_v[2 * kWide], some_a[2 * kWide];
+    constexpr double kPlace[kBoth] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    double some_q[kBoth], some_v[kBoth], some_a[kBoth];
     load_some(q + n, left, 0, some_q), load_some(v + n, left, 1, some_v), load_some(a + n, left, 0, some_a);
-    const Reciprocals i = reciprocals(load<Wide>(some_v), load<Wide>(some_v + kWide));
-    sums.add(load<Wide>(some_q), first_lanes(left, i.first), load<Wide>(some_a), clip);
-    sums.add(load<Wide>(some_q + kWide), first_lanes(left - kWide, i.second), load<Wide>(some_a + kWide),
-             clip);
+    const Part end = Part{} + static_cast<double>(left);
+    for (int part = 0; part < kParts; ++part) {
+      const int one = part * kPart, other = one + kPartials;
+      const Reciprocals i = reciprocals(load<Part>(some_v + one), load<Part>(some_v + other));
+      const Part first = load<Part>(kPlace + one) < end ? i.first : Part{};
+      const Part second = load<Part>(kPlace + other) < end ? i.second : Part{};
+      sums.add(part, load<Part>(some_q + one), first, load<Part>(some_a + one), clip);
+      sums.add(part, load<Part>(some_q + other), second, load<Part>(some_a + other), clip);
+    }
   }
   return {sum(sums.x), sum(sums.y), sum(sums.ax), sum(sums.ay)};
 }
 
 PairOfSums products(const double* a, const double* x, const double* y, long size) {
-  Wide first = {}, second = {};
+  Part first[kParts] = {}, second[kParts] = {};
   long n = 0;
-  for (; n + kWide <= size; n += kWide) {
-    const Wide factor = load<Wide>(a + n);
-    first += factor * load<Wide>(x + n), second += factor * load<Wide>(y + n);
-  }
+  for (; n + kPartials <= size; n += kPartials)
+    for (int part = 0; part < kParts; ++part) {
+      const long at = n + part * kPart;
+      const Part factor = load<Part>(a + at);
+      first[part] += factor * load<Part>(x + at), second[part] += factor * load<Part>(y + at);
+    }
   PairOfSums sums{sum(first), sum(second)};
   for (; n < size; ++n) sums.first += a[n] * x[n], sums.second += a[n] * y[n];
   return sums;
@@ -140,22 +153,26 @@ inline V mantissa(const V& x, Bits& exponents) {
 
 /// Mantissas multiplied, exponents added: one logarithm for all.
 PairOfSums divergence(const double* q, const double* v, double clip, long size) {
-  Wide mantissas = Wide{} + 1.0, quotients = {};
-  WideBits exponents = {};
+  Part mantissas[kParts], quotients[kParts] = {};
+  PartBits exponents[kParts] = {};
+  for (Part& part : mantissas) part = Part{} + 1.0;
   long n = 0;
-  while (n + 2 * kWide <= size) {
-    for (long k = 0; k < kMostFactors && n + 2 * kWide <= size; k += 2, n += 2 * kWide) {
-      const Wide x = load<Wide>(v + n), y = load<Wide>(v + n + kWide);
-      const Reciprocals i = reciprocals(x, y);
-      mantissas *= mantissa(x, exponents) * mantissa(y, exponents);
-      quotients += at_most(clip, load<Wide>(q + n) * i.first);
-      quotients += at_most(clip, load<Wide>(q + n + kWide) * i.second);
-    }
-    mantissas = mantissa(mantissas, exponents);
+  while (n + kBoth <= size) {
+    for (long k = 0; k < kMostFactors && n + kBoth <= size; k += 2, n += kBoth)
+      for (int part = 0; part < kParts; ++part) {
+        const long one = n + part * kPart, other = one + kPartials;
+        const Part x = load<Part>(v + one), y = load<Part>(v + other);
+        const Reciprocals i = reciprocals(x, y);
+        mantissas[part] *= mantissa(x, exponents[part]) * mantissa(y, exponents[part]);
+        quotients[part] += at_most(clip, load<Part>(q + one) * i.first);
+        quotients[part] += at_most(clip, load<Part>(q + other) * i.second);
+      }
+    for (int part = 0; part < kParts; ++part) mantissas[part] = mantissa(mantissas[part], exponents[part]);
   }
   double product = 1, quotient = sum(quotients);
   unsigned long long exponent = 0;
-  for (int lane = 0; lane < kWide; ++lane) product *= mantissas[lane], exponent += exponents[lane];
+  for (int part = 0; part < kParts; ++part)
+    for (int i = 0; i < kPart; ++i) product *= mantissas[part][i], exponent += exponents[part][i];
   for (; n < size; ++n) product *= mantissa(v[n], exponent), quotient += at_most(clip, q[n] / v[n]);
   return {log(product) + kLn2 * static_cast<double>(static_cast<long long>(exponent)), quotient};
 }
