@@ -140,14 +140,16 @@ void search_beyond_chance(const std::vector<float>& x, const WordFit& clip, cons
 
 /// Impacts deep in noise are found from some random starts and not from others, those of a narrow band only
 /// without the hiss that a blind split takes along: where the first finds nothing clear, the clearest of
-/// several, each as it is and beyond chance. `background`: left_by_background() of the clip.
-Start clearest_start(unsigned seed, const std::vector<float>& x, const WordFit& clip,
+/// several, each as it is and beyond chance. A hopeless first one decides unless a person said that it drills.
+/// `background`: left_by_background() of the clip.
+Start clearest_start(const ChainOptions& options, const std::vector<float>& x, const WordFit& clip,
                      const Grid& background) {
-  Start best = start_from(seed, x, clip);
+  Start best = start_from(options.seed, x, clip);
   if (best.found.clearness() >= kClear) return best;
   search_beyond_chance(x, clip, background, best);
+  if (!options.labelled && best.found.clearness() < kHopeless) return best;
   for (unsigned more = 1; more < kStarts; ++more) {
-    Start other = start_from(seed + more, x, clip);
+    Start other = start_from(options.seed + more, x, clip);
     search_beyond_chance(x, clip, background, other);
     if (other.found.clearness() > best.found.clearness()) best = std::move(other);
   }
@@ -229,7 +231,7 @@ std::vector<ClipMachine> split_by_click_nmf(const std::vector<float>& x, const s
   const PowerSpectrogram power = power_spectrogram(X);
   const WordFit clip(power);
   const Grid background_alone = left_by_background(clip);
-  const Start start = clearest_start(options.seed, x, clip, background_alone);
+  const Start start = clearest_start(options, x, clip, background_alone);
   dump_split(dump, "blind", X, power, start.blind, x.size());
 
   Pass pass = first_pass(start.found, clip, dump);
