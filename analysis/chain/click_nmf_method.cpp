@@ -140,8 +140,8 @@ void search_beyond_chance(const std::vector<float>& x, const WordFit& clip, cons
 
 /// Impacts deep in noise are found from some random starts and not from others, those of a narrow band only
 /// without the hiss that a blind split takes along: where the first finds nothing clear, the clearest of
-/// several, each as it is and beyond chance. A hopeless first one decides unless a person said that it drills.
-/// `background`: left_by_background() of the clip.
+/// several, each as it is and beyond chance. A hopeless first one decides unless a person said that it
+/// drills. `background`: left_by_background() of the clip.
 Start clearest_start(const ChainOptions& options, const std::vector<float>& x, const WordFit& clip,
                      const Grid& background) {
   Start best = start_from(options.seed, x, clip);
