@@ -21,7 +21,10 @@ FileDescriptor open_lock(const std::filesystem::path& file) {
 }  // namespace
 
 FileLock::FileLock(const std::filesystem::path& file)
-    : file_(file), fd_(open_lock(file)), unfinished_([this] { return [this] { remove_if_free(); }; }) {}
+    : file_(file), unfinished_([this] {
+        fd_ = open_lock(file_);
+        return [this] { remove_if_free(); };
+      }) {}
 FileLock::~FileLock() { remove_if_free(); }
 
 void FileLock::wait_exclusive() { lock(LOCK_EX); }
