@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "chain/blind_start.hpp"
 #include "chain/click_search.hpp"
 #include "chain/clip_analysis.hpp"
 #include "chain/clip_verdict.hpp"
@@ -12,10 +13,8 @@
 #include "clicks/coherent_alignment.hpp"
 #include "clicks/drilling_test.hpp"
 #include "clicks/second_strikes.hpp"
-#include "denoise/beyond_chance.hpp"
 #include "denoise/cs_nmf.hpp"
 #include "denoise/factors.hpp"
-#include "denoise/initial_nmf.hpp"
 #include "denoise/word_fit.hpp"
 #include "rigsound/analysis/rate.hpp"
 #include "spectrum/stft.hpp"
@@ -23,10 +22,7 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr unsigned kStarts = 3;
-// What a chain has over chance, a click. Of 32 drills at -6 dB none was below 0.43, of 54 noises and effects
-// three in four were below 0.23 and nine in ten below 0.6.
-constexpr double kHopeless = 0.3, kClear = 1;
+constexpr double kLost = 0.3;  // of what a chain has over chance, a click
 // Promise of the rough clicks' best window. Of 130 drills, 32 of them at -6 dB, none was below 5e-4; of
 // 187 other sounds four in five are below this.
 constexpr double kPromising = 1e-4;
@@ -117,45 +113,6 @@ ClipMachine split_without_denoising(const std::vector<float>& x, const std::vect
   return all;
 }
 
-/// A blind split and what a search through it finds.
-struct Start {
-  Factors blind;
-  ClickSearch found;
-};
-
-Start start_from(unsigned seed, const std::vector<float>& x, const WordFit& clip) {
-  InitialNmfOptions initial;
-  initial.seed = seed;
-  Start start;
-  start.blind = initial_nmf(clip, initial);
-  start.found = search_clicks(x, mean_psd(start.blind, clip.power()));
-  return start;
-}
-
-void search_beyond_chance(const std::vector<float>& x, const WordFit& clip, const Grid& background,
-                          Start& start) {
-  ClickSearch other = search_clicks(x, psd_beyond_chance(start.blind, clip.power(), background));
-  if (other.clearness() > start.found.clearness()) start.found = std::move(other);
-}
-
-/// Impacts deep in noise are found from some random starts and not from others, those of a narrow band only
-/// without the hiss that a blind split takes along: where the first finds nothing clear, the clearest of
-/// several, each as it is and beyond chance. A hopeless first one decides unless a person said that it
-/// drills. `background`: left_by_background() of the clip.
-Start clearest_start(const ChainOptions& options, const std::vector<float>& x, const WordFit& clip,
-                     const Grid& background) {
-  Start best = start_from(options.seed, x, clip);
-  if (best.found.clearness() >= kClear) return best;
-  search_beyond_chance(x, clip, background, best);
-  if (!options.labelled && best.found.clearness() < kHopeless) return best;
-  for (unsigned more = 1; more < kStarts; ++more) {
-    Start other = start_from(options.seed + more, x, clip);
-    search_beyond_chance(x, clip, background, other);
-    if (other.found.clearness() > best.found.clearness()) best = std::move(other);
-  }
-  return best;
-}
-
 /// A search, its clicks, and step 6 with them; without factors when there are too few.
 struct Pass {
   ClickSearch found;
@@ -171,9 +128,13 @@ Pass first_pass(ClickSearch found, const WordFit& clip, const Dump& dump) {
   return pass;
 }
 
-/// `powers`: those of the first.
-Pass second_pass(const std::vector<float>& x, const MeanPsd& powers, const WordFit& clip, const Dump& dump) {
+/// `powers`: those of the first. Through them the chain of a narrow band may be lost again: then the first
+/// search stands.
+Pass second_pass(const std::vector<float>& x, const MeanPsd& powers, const WordFit& clip,
+                 const ClickSearch& first, const Dump& dump) {
   Pass pass{search_clicks(x, powers), {}, {}};
+  if (pass.found.clearness() < kClear && first.clearness() > pass.found.clearness() + kLost)
+    pass.found = first;
   pass.clicks = fit(pass.found, FitEffort::kFull, "pass2", dump);
   if (pass.clicks.P.size() >= kFewestFitted)
     pass.factors = final_factors(clip, pass.clicks, noise_share(powers));
@@ -231,7 +192,7 @@ std::vector<ClipMachine> split_by_click_nmf(const std::vector<float>& x, const s
   const PowerSpectrogram power = power_spectrogram(X);
   const WordFit clip(power);
   const Grid background_alone = left_by_background(clip);
-  const Start start = clearest_start(options, x, clip, background_alone);
+  const BlindStart start = clearest_start(options, x, clip, background_alone);
   dump_split(dump, "blind", X, power, start.blind, x.size());
 
   Pass pass = first_pass(start.found, clip, dump);
@@ -244,7 +205,7 @@ std::vector<ClipMachine> split_by_click_nmf(const std::vector<float>& x, const s
   const bool may_drill = options.labelled || (start.found.clearness() >= kHopeless && is_promising(verdict));
   if (pass.factors && may_drill) {
     dump_split(dump, "pass1", X, power, *pass.factors, x.size());
-    pass = second_pass(x, mean_psd(*pass.factors, power), clip, dump);
+    pass = second_pass(x, mean_psd(*pass.factors, power), clip, start.found, dump);
   }
   if (may_drill) verdict = judged();
   if (drills(verdict)) {

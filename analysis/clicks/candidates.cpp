@@ -15,7 +15,7 @@ struct Windows {
 };
 // The last where few samples are independent: 4 ms of modes below 1 kHz are eight of them.
 constexpr Windows kWindows[] = {{2, 3}, {4, 4}, {8, 8}};
-constexpr double kNarrow = 0.1;  // independent share
+constexpr double kNarrow = 0.15;  // independent share
 constexpr double kHeight = 1.5, kDistance_ms = 1;
 constexpr double kPowerFloor = 1e-2;  ///< of the mean: digital silence must not make every ripple a step
 

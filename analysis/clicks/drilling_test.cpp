@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "clicks/click_fit.hpp"
+#include "clicks/envelope.hpp"
 #include "clicks/gaps.hpp"
 #include "numeric/quantile.hpp"
 #include "rigsound/analysis/rate.hpp"
@@ -50,13 +51,12 @@ double by_ratio(double value, double usual, double limit) {
 // than 1.7, a repetition below 0.66.
 Objections objections(const DrillingEvidence& e) {
   const double rate = kAnalysisRate / e.clicks.mean_gap_samples;
-  const double attack_ms = 1000 * e.clicks.envelope.attack_samples / kAnalysisRate;
+  const double rise = rise_samples(e.clicks.envelope), rise_ms = 1000 * rise / kAnalysisRate;
   // Long in itself, unless its bands rise steeply together (an engine's by a neper, a slow click's by two),
   // and long for its period.
   const double steepness = square_above_zero(std::max(1.0, e.likeness.rise));
-  const double swell =
-      std::min(by_ratio(attack_ms / steepness, 2.3, 5.4),
-               by_ratio(e.clicks.envelope.attack_samples / e.clicks.mean_gap_samples, 0.1, 0.17));
+  const double swell = std::min(by_ratio(rise_ms / steepness, 2.3, 5.4),
+                                by_ratio(rise / e.clicks.mean_gap_samples, 0.1, 0.17));
   const double surplus = e.surplus / static_cast<double>(e.clicks.P.size());
   const double unexplained = std::max(e.background_alone - kNoiseDivergence, kUnexplained);
   const double explained = (e.background_alone - e.with_clicks) / unexplained;
@@ -67,7 +67,7 @@ Objections objections(const DrillingEvidence& e) {
                std::min(on_a_scale(e.repetition, 0.85, 0.96), on_a_scale(e.irregularity, 0.02, 0.07)));
   return {{
       {by_ratio(rate, 12, 6.8), fmt::format("{:.1f} clicks a second are slow", rate)},
-      {swell, fmt::format("it swells in {:.1f} ms instead of striking", attack_ms)},
+      {swell, fmt::format("it swells in {:.1f} ms instead of striking", rise_ms)},
       {on_a_scale(surplus, 1, 0.3), fmt::format("its clicks are {:.1f} above chance", surplus)},
       {on_a_scale(pulses, 0.05, 0.6), "it pulses faster than 130 Hz, like a voice or a tone"},
       {by_ratio(e.likeness.dispersion, 0.215, 0.32), "its clicks do not resemble one another"},

@@ -13,6 +13,11 @@ double envelope(const ClickEnvelope& shape, double n) {
   return std::expm1(-alpha_a * n) / std::expm1(-alpha_a * N_a);
 }
 
+double rise_samples(const ClickEnvelope& shape) {
+  const double bend = std::fabs(shape.attack_bend * shape.attack_samples);
+  return bend < 1e-6 ? shape.attack_samples : shape.attack_samples * -std::expm1(-bend) / bend;
+}
+
 EnvelopePower envelope_power(const ClickEnvelope& shape, int block) {
   const int blocks = static_cast<int>(std::floor(shape.attack_samples)) / block + 1;
   EnvelopePower power;

@@ -10,6 +10,10 @@ namespace rigsound::analysis {
 /// a_n of the drilling paper, eq. 5 and 6; 0 before n = 0, 1 at n = N_a. Thread: OFF.
 double envelope(const ClickEnvelope& shape, double n);
 
+/// Samples in which a straight line rises that is as steep as the attack at its steepest: N_a of a straight
+/// attack, less of a bent one, which comes up at once or at last. Thread: OFF.
+double rise_samples(const ClickEnvelope& shape);
+
 /// a^2 averaged over blocks: a few blocks one by one, then a geometric tail without end.
 struct EnvelopePower {
   Eigen::ArrayXd attack;  ///< blocks up to the one in which the peak lies

@@ -58,6 +58,17 @@ TEST_CASE("the envelope is that of eq. 5 and 6") {
   CHECK(envelope({50, 0, 0.002}, 20) == doctest::Approx(0.4));
 }
 
+TEST_CASE("a bent attack rises in as many samples as its steepest slope takes from nothing to the peak") {
+  for (const double bend : {-4.0, -1.0, 0.0, 1e-7, 0.5, 4.6}) {
+    const ClickEnvelope shape{400, bend / 400, 0.001};
+    double steepest = 0;
+    for (double n = 0.1; n <= 400; n += 0.1)
+      steepest = std::max(steepest, (envelope(shape, n) - envelope(shape, n - 0.1)) / 0.1);
+    CAPTURE(bend);
+    CHECK(rise_samples(shape) == doctest::Approx(1 / steepest).epsilon(0.003));
+  }
+}
+
 TEST_CASE("carrying the tails gives the variance that adding every tail gives") {
   const ModelClicks clicks = some_clicks();
   for (const int block : {1, 2, 8}) {
