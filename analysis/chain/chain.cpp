@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "chain/clip_analysis.hpp"
+#include "chain/clip_neighbours.hpp"
 #include "chain/machines.hpp"
 #include "chain/segments.hpp"
 #include "chain/verdict_windows.hpp"
@@ -37,6 +38,7 @@ std::vector<MachineResults> analyse_segments(const std::vector<Segment>& segment
     ++done;
     if (options.progress) options.progress(done, count);
   });
+  if (!options.labelled) decide_beside_neighbours(results);
   std::vector<MachineResults> machines = by_machine(std::move(results));
   if (options.labelled)
     for (MachineResults& machine : machines) trust_the_label(machine);

@@ -202,18 +202,18 @@ std::vector<ClipMachine> split_by_click_nmf(const std::vector<float>& x, const s
   };
   std::vector<JudgedWindow> verdict;
   if (!options.labelled) verdict = judged();
-  const bool may_drill = options.labelled || (start.found.clearness() >= kHopeless && is_promising(verdict));
-  if (pass.factors && may_drill) {
+  const bool go_on = options.labelled || (start.found.clearness() >= kHopeless && is_promising(verdict));
+  if (pass.factors && go_on) {
     dump_split(dump, "pass1", X, power, *pass.factors, x.size());
     pass = second_pass(x, mean_psd(*pass.factors, power), clip, start.found, dump);
   }
-  if (may_drill) verdict = judged();
-  if (drills(verdict)) {
+  if (go_on) verdict = judged();
+  if (may_drill(verdict))
     refine(clip, with_second_strikes(pass.found.y, pass.found.candidates, pass.clicks), pass);
+  if (drills(verdict))
     if (const auto two = find_second_machine(x, start.found.y, clip, pass.clicks))
       if (auto both = split_of_two(x, windows, X, power, *two, dump); !both.empty()) return both;
-  }
-  const bool by_clicks = pass.factors && (options.labelled || drills(verdict));
+  const bool by_clicks = pass.factors && (options.labelled || may_drill(verdict));
   if (by_clicks) refine(clip, aligned_to_waveform(pass.found.y, pass.clicks), pass);
   const Factors& split = by_clicks ? *pass.factors : start.blind;
   dump_split(dump, "pass2", X, power, split, x.size());

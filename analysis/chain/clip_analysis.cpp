@@ -61,25 +61,15 @@ std::string doubt(const ClipMachine& split) {
   return fmt::format("with a probability of {:.2f} at most, {}", best->probability, best->objections);
 }
 
-/// Clicks count from the first to the last window that drills; there is one.
-void keep_where_it_drills(const std::vector<VerdictWindow>& verdict, ClickTrain& train) {
-  const std::vector<Stretch> stretches = drilling_stretches(verdict);
-  const double begin = stretches.front().start_s * kAnalysisRate,
-               end = stretches.back().end_s * kAnalysisRate;
-  const auto first = std::lower_bound(train.P.begin(), train.P.end(), begin) - train.P.begin(),
-             last = std::lower_bound(train.P.begin(), train.P.end(), end) - train.P.begin();
-  train.P = {train.P.begin() + first, train.P.begin() + last};
-  train.beta = {train.beta.begin() + first, train.beta.begin() + last};
-}
-
 ChainResult result_of(ClipMachine split, float level, const ChainOptions& options) {
   ChainResult result;
-  result.drilling_found = drills(split.verdict) && split.clicks.P.size() >= kFewestDrillingClicks;
+  const bool enough = split.clicks.P.size() >= kFewestDrillingClicks;
+  result.drilling_found = drills(split.verdict) && enough;
   if (!result.drilling_found) result.reason = doubt(split);
   for (const JudgedWindow& w : split.verdict)
     result.verdict.push_back({static_cast<double>(w.window.begin) / kAnalysisRate,
                               static_cast<double>(w.window.end) / kAnalysisRate, w.probability});
-  if (result.drilling_found || options.labelled) result.clicks = std::move(split.clicks);
+  if (options.labelled || (may_drill(split.verdict) && enough)) result.clicks = std::move(split.clicks);
   const double square = static_cast<double>(level) * level;
   result.signal_psd = scaled(split.signal_psd, square);
   result.noise_psd = scaled(split.noise_psd, square);
@@ -87,7 +77,6 @@ ChainResult result_of(ClipMachine split, float level, const ChainOptions& option
   for (float& sample : split.drilling) sample *= level;
   calibrate(split.drilling, result.clicks);
   result.drilling = std::move(split.drilling);
-  if (result.drilling_found && !options.labelled) keep_where_it_drills(result.verdict, result.clicks);
   return result;
 }
 

@@ -66,8 +66,9 @@ DrillingEvidence evidence_in(const Segment& whole, const SearchedClip& clip, con
 }
 
 constexpr char kEvidenceHeader[] =
-    "begin_s,end_s,probability,clicks,total,chance_surplus,fast_total,gap_irregularity,likeness,band_rise,"
-    "bar_rhythm,strength_rhythm,waveform_repetition,background_alone,with_clicks,rate,swell,surplus,pulses,"
+    "begin_s,end_s,probability,clicks,total,chance_surplus,fast_total,gap_irregularity,likeness,"
+    "band_rise,bar_rhythm,strength_rhythm,waveform_repetition,background_alone,with_clicks,rate,swell,"
+    "surplus,pulses,"
     "dispersion,rise,"
     "rhythm,irregularity,unexplained,repetition";
 
@@ -100,12 +101,16 @@ void dump_evidence(const Dump& dump, const std::string& pass, const std::vector<
   dump.table(pass + "_evidence", kEvidenceHeader, table);
 }
 
+bool reaches(double probability, const std::vector<JudgedWindow>& verdict) {
+  return std::any_of(verdict.begin(), verdict.end(),
+                     [=](const JudgedWindow& w) { return w.probability >= probability; });
+}
+
 }  // namespace
 
-bool drills(const std::vector<JudgedWindow>& verdict) {
-  return std::any_of(verdict.begin(), verdict.end(),
-                     [](const JudgedWindow& w) { return w.probability >= kDrillingProbability; });
-}
+bool drills(const std::vector<JudgedWindow>& verdict) { return reaches(kDrillingProbability, verdict); }
+
+bool may_drill(const std::vector<JudgedWindow>& verdict) { return reaches(kStillDrilling, verdict); }
 
 Grid left_by_background(const WordFit& clip) { return itakura_saito(clip.power(), background_nmf(clip)); }
 

@@ -23,6 +23,9 @@ struct JudgedWindow {
 /// One window does. Thread: OFF.
 bool drills(const std::vector<JudgedWindow>& verdict);
 
+/// Whether it may where a neighbour drills: a window reaches kStillDrilling. Thread: OFF.
+bool may_drill(const std::vector<JudgedWindow>& verdict);
+
 /// What the search for clicks leaves.
 struct SearchedClip {
   const std::vector<float>& x;  ///< as recorded

@@ -41,10 +41,23 @@ std::vector<std::vector<Segment>> windows_by_segment(const std::vector<Segment>&
   return held;
 }
 
+std::vector<bool> drilling_windows(const std::vector<VerdictWindow>& verdict) {
+  std::vector<bool> drills;
+  for (const VerdictWindow& window : verdict) drills.push_back(window.probability >= kDrillingProbability);
+  const auto goes_on = [&](std::size_t k, std::size_t neighbour) {
+    if (drills[neighbour] && verdict[k].probability >= kStillDrilling) drills[k] = true;
+  };
+  for (std::size_t k = 1; k < verdict.size(); ++k) goes_on(k, k - 1);
+  for (std::size_t k = verdict.size(); k-- > 1;) goes_on(k - 1, k);
+  return drills;
+}
+
 std::vector<Stretch> drilling_stretches(const std::vector<VerdictWindow>& verdict) {
   std::vector<Stretch> stretches;
-  for (const VerdictWindow& window : verdict) {
-    if (window.probability < kDrillingProbability) continue;
+  const std::vector<bool> drills = drilling_windows(verdict);
+  for (std::size_t k = 0; k < verdict.size(); ++k) {
+    if (!drills[k]) continue;
+    const VerdictWindow& window = verdict[k];
     if (!stretches.empty() && window.start_s <= stretches.back().end_s)
       stretches.back().end_s = window.end_s;
     else

@@ -16,4 +16,9 @@ std::vector<Segment> plan_windows(long length);
 std::vector<std::vector<Segment>> windows_by_segment(const std::vector<Segment>& windows,
                                                      const std::vector<Segment>& segments);
 
+/// Which of the windows of a recording, in the order of time, count as drilling: those of
+/// kDrillingProbability, and from kStillDrilling on those that follow one another up to such a window.
+/// Thread: OFF.
+std::vector<bool> drilling_windows(const std::vector<VerdictWindow>& verdict);
+
 }  // namespace rigsound::analysis

@@ -34,6 +34,7 @@ struct VerdictWindow {
 
 constexpr double kVerdictWindow_s = 2, kVerdictHop_s = 1;
 constexpr double kDrillingProbability = 0.5;  ///< from here on a window counts as drilling
+constexpr double kStillDrilling = 0.2;        ///< from here on it does beside one that counts
 
 /// One of the machines that strike in a recording at rates of their own.
 struct Machine {
@@ -46,7 +47,7 @@ struct ChainResult {
   bool drilling_found = false;
   std::string reason;                  ///< why not, when nothing was found; of a labelled recording the doubt
   std::vector<VerdictWindow> verdict;  ///< over time
-  ClickTrain clicks;                   ///< from the first to the last window that drills
+  ClickTrain clicks;                   ///< from the first to the last window that counts
   std::vector<Machine> machines;       ///< of the recording, the loudest first; empty for a single segment
   std::vector<int> struck_by;          ///< machine of each click, from 1 on; empty where only one is meant
   Samples drilling;                    ///< the recording without its background, same length and level

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "analysis/noise.hpp"
+#include "chain/clip_neighbours.hpp"
 #include "rigsound/analysis/chain.hpp"
 #include "simulate/drillbench_clip.hpp"
 
@@ -63,7 +64,7 @@ TEST_CASE(
 }
 
 TEST_CASE("neighbouring windows that drill are one stretch, and text tells those that are not all") {
-  const auto verdict = windows({0.9, 0.8, 0.1, 0.1, 0.2, 0.7});
+  const auto verdict = windows({0.9, 0.8, 0.1, 0.1, 0.1, 0.7});
   const std::vector<Stretch> stretches = drilling_stretches(verdict);
   REQUIRE(stretches.size() == 2);
   CHECK(stretches[0].start_s == 0);
@@ -72,6 +73,39 @@ TEST_CASE("neighbouring windows that drill are one stretch, and text tells those
   CHECK(stretches_text(verdict) == "drilling in 0.0-3.0, 5.0-7.0 of 7.0 s");
   CHECK(stretches_text(windows({0.9, 0.9})).empty());
   CHECK(stretches_text(windows({0.1, 0.1})).empty());
+}
+
+TEST_CASE("drilling goes on through windows that hardly tell it, both ways, and does not begin in one") {
+  CHECK(drilling_windows(windows({0.3, 0.1, 0.3, 0.3, 0.6, 0.25, 0.2, 0.19, 0.4})) ==
+        std::vector<bool>{false, false, true, true, true, true, true, false, false});
+  CHECK(drilling_windows(windows({0.49, 0.49})) == std::vector<bool>{false, false});
+  CHECK(drilling_windows({}).empty());
+}
+
+TEST_CASE("a clip that may drill does beside one that does, and keeps the clicks of its windows that do") {
+  const auto clip = [](const std::vector<double>& probability) {
+    ChainResult r;
+    r.verdict = windows(probability);
+    for (int P = 0; P < 4 * kSecond; P += kSecond / 20) r.clicks.P.push_back(P), r.clicks.beta.push_back(P);
+    r.reason = "a doubt";
+    return std::vector<ChainResult>{r};
+  };
+  std::vector<std::vector<ChainResult>> clips{clip({0.3, 0.1}), clip({0.1, 0.9, 0.8}), clip({0.3, 0.3, 0.1}),
+                                              clip({0.3, 0.4})};
+  clips[3][0].clicks = {};  // too few to keep any
+  decide_beside_neighbours(clips);
+  for (const std::size_t refused : {0U, 3U}) {
+    CHECK(!clips[refused][0].drilling_found);
+    CHECK(clips[refused][0].reason == "a doubt");
+    CHECK(clips[refused][0].clicks.P.empty());
+  }
+  for (const std::size_t found : {1U, 2U}) {
+    CHECK(clips[found][0].drilling_found);
+    CHECK(clips[found][0].reason.empty());
+  }
+  CHECK(clips[1][0].clicks.P.front() == kSecond);
+  CHECK(clips[2][0].clicks.P.back() == 3 * kSecond - kSecond / 20);
+  CHECK(clips[2][0].clicks.beta.back() == clips[2][0].clicks.P.back());
 }
 
 TEST_CASE("a burst in a long recording is found where it is, however much is around it") {
