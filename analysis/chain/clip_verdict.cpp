@@ -49,6 +49,7 @@ DrillingEvidence evidence_in(const Segment& whole, const SearchedClip& clip, con
   e.surplus = chain.surplus;
   e.fast_total = fast_total(candidates, e.clicks);
   e.irregularity = irregularity(e.clicks);
+  e.jitter = jitter(e.clicks);
   e.strength_rhythm = strength_rhythm(e.clicks.beta, {e.clicks.P.begin(), e.clicks.P.end()});
   const Eigen::Map<const Eigen::ArrayXf> x(clip.x.data(), static_cast<long>(clip.x.size()));
   e.repetition = repetition(x.segment(window.begin, window.end - window.begin), e.clicks);
@@ -66,7 +67,7 @@ DrillingEvidence evidence_in(const Segment& whole, const SearchedClip& clip, con
 }
 
 constexpr char kEvidenceHeader[] =
-    "begin_s,end_s,probability,clicks,total,chance_surplus,fast_total,gap_irregularity,likeness,"
+    "begin_s,end_s,probability,clicks,total,chance_surplus,fast_total,gap_irregularity,gap_jitter,likeness,"
     "band_rise,bar_rhythm,strength_rhythm,waveform_repetition,background_alone,with_clicks,rate,swell,"
     "surplus,pulses,"
     "dispersion,rise,"
@@ -82,6 +83,7 @@ std::vector<double> evidence_row(const JudgedWindow& judged, const DrillingEvide
                              e.surplus,
                              e.fast_total,
                              e.irregularity,
+                             e.jitter,
                              e.likeness.dispersion,
                              e.likeness.rise,
                              e.likeness.rhythm,

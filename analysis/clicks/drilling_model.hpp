@@ -13,18 +13,18 @@ constexpr std::size_t kObjections = 10;
 constexpr double kMostWeight = 3;
 
 // made by tests/bench/verdict
-constexpr double kBias = 4.96;
+constexpr double kBias = 4.55;
 constexpr std::array<double, kObjections> kCoefficients = {
-    1.08,  // rate
-    4.08,  // swell
-    5.31,  // surplus
+    1.33,  // rate
+    3.12,  // swell
+    5.83,  // surplus
     2.10,  // pulses
-    5.39,  // dispersion
-    2.61,  // rise
-    3.22,  // rhythm
-    4.73,  // irregularity
-    2.10,  // unexplained
-    4.80,  // repetition
+    7.80,  // dispersion
+    2.96,  // rise
+    3.17,  // rhythm
+    3.73,  // irregularity
+    3.43,  // unexplained
+    5.54,  // repetition
 };
 // end
 

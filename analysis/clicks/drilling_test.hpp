@@ -22,6 +22,7 @@ struct DrillingEvidence {
   double surplus = 0;          ///< of that total over chance
   double fast_total = 0;       ///< of the best chain faster than any drill
   double irregularity = 0;     ///< median of |ln(gap / median gap)|
+  double jitter = 0;           ///< the same against the gaps around each: a rate may glide
   double strength_rhythm = 0;  ///< of the clicks, see strength_rhythm()
   double repetition = 0;       ///< of the waveform, see repetition()
   ClickLikeness likeness;
@@ -51,6 +52,10 @@ std::string objections_to(const DrillingEvidence& evidence);
 
 /// DrillingEvidence::irregularity of at least three clicks. Thread: OFF.
 double irregularity(const ClickTrain& clicks);
+
+/// DrillingEvidence::jitter of at least three clicks: against the median of nine gaps, its own in their
+/// middle. Thread: OFF.
+double jitter(const ClickTrain& clicks);
 
 /// Total of the best chain at 130 to 400 Hz; 0 where that is the chain of `clicks` itself, of a drifter that
 /// strikes nearly as fast. Thread: OFF.

@@ -1,5 +1,10 @@
 """Percussive drills whose clicks, rooms and backgrounds are other than the simulator's."""
+import os
+import subprocess
+import tempfile
+
 import numpy as np
+from scipy.io import wavfile
 from scipy.signal import butter, fftconvolve, sosfilt
 
 from .sounds import LENGTH, RATE, coloured, diesel, level, pulses, resonant, talk, times
@@ -79,6 +84,12 @@ def among_stones(stream):
     return before(stream, struck(stream, any_rate(stream)), level(diesel(stream) + level(coloured(stream, stones))), 3)
 
 
+def two_machines(stream):
+    slow, ratio = any_rate(stream, 15, 30), stream.uniform(1.3, 1.8)
+    both = struck(stream, slow) + 10 ** (-stream.uniform(0, 6) / 20) * struck(stream, slow * ratio)
+    return before(stream, level(both), diesel(stream), 6)
+
+
 def beside_talk(stream):
     return before(stream, struck(stream, any_rate(stream)), level(talk(stream) + .5 * diesel(stream)), 3)
 
@@ -93,9 +104,20 @@ def dull(stream):
     return sosfilt(butter(8, 5000 / (RATE / 2), output='sos'), plain(14, 48, 0)(stream))
 
 
+def coded(stream):
+    """As an MP3 of few bits leaves it: what its bands hide, and all above 11 kHz, is gone."""
+    with tempfile.TemporaryDirectory(prefix='verdict-') as folder:
+        sound, mp3 = os.path.join(folder, 'sound.wav'), os.path.join(folder, 'sound.mp3')
+        wavfile.write(sound, RATE, np.round(3000 * level(plain(14, 48, 0)(stream))).clip(-32767, 32767).astype(np.int16))
+        subprocess.run(['lame', '--quiet', '-m', 'm', '-b', '64', sound, mp3], check=True)
+        subprocess.run(['lame', '--quiet', '--decode', mp3, sound], check=True)
+        return wavfile.read(sound)[1][:LENGTH].astype(float)
+
+
 KINDS = {
     'drill 0 dB': plain(14, 48, 0), 'drill 6 dB': plain(14, 48, 6), 'breaker 3-8 Hz': plain(3.2, 8, 6),
     'drifter 60-120 Hz': plain(60, 118, 6), 'swelling clicks': plain(14, 40, 3, swelling), 'two decays': plain(14, 48, 0, two_decays),
     'modal 150-900 Hz': modal, 'cabin': in_a_room(.15), 'tunnel': in_a_room(1), 'double impacts': double, 'gliding': gliding, 'burst': burst,
-    'stones': among_stones, 'talk': beside_talk, 'clipped': clipped, 'dull': dull,
+    'stones': among_stones, 'talk': beside_talk, 'clipped': clipped, 'dull': dull, 'MP3': coded,
+    'two machines': two_machines,
 }

@@ -10,6 +10,12 @@ import numpy as np
 
 PATTERNS = {  # package: files, kind, how many of them
     'alsa-utils': ('usr/share/sounds/alsa/*.wav', 'speech', 9),
+    'chromium-bsu-data': ('usr/share/games/chromium-bsu/wav/*.wav', 'effects', 9),
+    'frozen-bubble-data': ('usr/share/games/frozen-bubble/snd/*.ogg', 'effects', 21),
+    'opencity-data': ('usr/share/games/opencity/sound/*', 'industry and traffic', 9),
+    'pingus-data': ('usr/share/games/pingus/data/sounds/*', 'effects', 11),
+    'sound-theme-freedesktop': ('usr/share/sounds/freedesktop/stereo/*.oga', 'signals', 35),
+    'xmoto-data': ('usr/share/games/xmoto/Textures/Musics/*.ogg', 'music', 7),
     'bzflag-data': ('usr/share/games/bzflag/*.wav', 'effects', 15),
     'lincity-ng-data': ('usr/share/games/lincity-ng/sounds/*.wav', 'industry and traffic', 70),
     'lmms-common': ('usr/share/lmms/samples/beats/*.ogg', 'drum loops', 20),
@@ -72,10 +78,12 @@ def openttd(folder):
 
 
 def sounds(where):
-    """Kind, source, whether it drills, rate, samples."""
+    """Kind, source, whether it drills, rate, samples. What a package holds twice comes once."""
     yield from openttd(unpacked(where, OPENTTD))
+    heard = set()
     for package, (pattern, kind, most) in PATTERNS.items():
         for path in sorted(glob.glob(os.path.join(unpacked(where, package), pattern)))[:most]:
             sound = read(path)
-            if sound:
+            if sound and sound[1].tobytes() not in heard:
+                heard.add(sound[1].tobytes())
                 yield (kind, '%s %s' % (package, os.path.basename(path).replace('__', '_')), False, *sound)
