@@ -17,6 +17,7 @@ constexpr unsigned kStarts = 3;
 // chance.
 constexpr double kLowestOctave_hz = 250, kHighestOctave_hz = 707.2, kOctaveStep = 1.4142135623730951;
 constexpr double kLeastOfOctave = 0.5;  // clearness: noise of an octave has 0.3 to 0.4, seldom 0.5
+constexpr double kOctaveAhead = 0.25;   // of a split, whose bands all agree on its chain
 constexpr double kOutside = 0.003;  // of all power there: a whitener has no use for a band that ends sharply
 
 BlindStart start_from(unsigned seed, const std::vector<float>& x, const WordFit& clip) {
@@ -28,13 +29,14 @@ BlindStart start_from(unsigned seed, const std::vector<float>& x, const WordFit&
   return start;
 }
 
-void keep_clearer(ClickSearch other, BlindStart& start) {
-  if (other.clearness() > start.found.clearness()) start.found = std::move(other);
+/// `ahead`: by more than this.
+void keep_clearer(ClickSearch other, double ahead, BlindStart& start) {
+  if (other.clearness() > start.found.clearness() + ahead) start.found = std::move(other);
 }
 
 void search_beyond_chance(const std::vector<float>& x, const WordFit& clip, const Grid& background,
                           BlindStart& start) {
-  keep_clearer(search_clicks(x, psd_beyond_chance(start.blind, clip.power(), background)), start);
+  keep_clearer(search_clicks(x, psd_beyond_chance(start.blind, clip.power(), background)), 0, start);
 }
 
 /// All of `total` (mean power per bin) from `low_hz` an octave up is drilling, hardly any of the rest.
@@ -72,7 +74,7 @@ BlindStart clearest_start(const ChainOptions& options, const std::vector<float>&
     search_beyond_chance(x, clip, background, other);
     if (other.found.clearness() > best.found.clearness()) best = std::move(other);
   }
-  if (auto octave = found_in_octave(x, clip.power())) keep_clearer(std::move(*octave), best);
+  if (auto octave = found_in_octave(x, clip.power())) keep_clearer(std::move(*octave), kOctaveAhead, best);
   return best;
 }
 
