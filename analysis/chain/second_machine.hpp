@@ -25,10 +25,10 @@ struct TwoMachines {
   Factors factors;                      ///< of step 6 with both
 };
 
-/// Looks for another chain of impacts in what `first` leaves of y: x whitened by the powers of the blind
-/// split. It must be clear over chance and keep no phase with the first one, as echoes and double impacts do.
-/// Both are then found anew, each with the other's variance known and in the bands in which it is the louder
-/// one. Nothing where there is no second. Thread: OFF.
+/// Looks for another chain of impacts in what `first` leaves of y: x whitened for the search before step 6.
+/// It must be clear over chance and keep no phase with the first one, as echoes and double impacts do. Both
+/// are then found anew, each with the other's variance known and in the bands in which it is the louder one.
+/// Nothing where there is no second. Thread: OFF.
 std::optional<TwoMachines> find_second_machine(const std::vector<float>& x, const Eigen::ArrayXd& y,
                                                const WordFit& clip, const ClickTrain& first);
 

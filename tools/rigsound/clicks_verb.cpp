@@ -90,11 +90,10 @@ void add_clicks(cli::Verb& program) {
   verb.details(
       "Writes CSV to stdout: time_s (onset, seconds of the recording), amplitude (full scale 1), sorted by "
       "time; where two machines strike at rates of their own, machine (1: the louder), and stderr names both "
-      "with "
-      "their rates. "
+      "with their rates. "
       "Every window of 2 s gets a probability that it is drilling (--json prints them, one a second); clicks "
-      "are "
-      "those of stretches above 0.5, which are told on stderr when they are not all of it. "
+      "are those of stretches from 0.5 on, and beside such from 0.2 on, which are told on stderr when they "
+      "are not all of it. "
       "A recording without drilling gives the header alone, the reason on stderr, and exit code 0: it is no "
       "error.");
   verb.example("rigsound clicks rock.wav > clicks.csv");
