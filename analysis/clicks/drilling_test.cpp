@@ -67,7 +67,7 @@ Objections objections(const DrillingEvidence& e) {
   // The same waveform again, unless it rises out of what was before; much of it again where hardly anything
   // rises; or at uneven times, however steeply.
   const double repetition =
-      std::max({std::min(on_a_scale(e.repetition, 0.7, 0.85), on_a_scale(e.likeness.rise, 1.6, 1.1)),
+      std::max({std::min(on_a_scale(e.repetition, 0.7, 0.85), on_a_scale(e.likeness.rise, 1.6, 1.0)),
                 std::min(on_a_scale(e.repetition, 0.4, 0.65), on_a_scale(e.likeness.rise, 0.4, 0.15)),
                 std::min(on_a_scale(e.repetition, 0.85, 0.96), on_a_scale(e.irregularity, 0.02, 0.07))});
   return {{
