@@ -95,21 +95,20 @@ double probability_given(const std::array<double, kObjections>& weights) {
 }  // namespace
 
 double irregularity(const ClickTrain& clicks) {
-  const double T = median_gap(clicks.P);
+  const std::vector<double> gaps = gaps_of(clicks.P);
+  const double T = median(gaps);
   std::vector<double> deviation;
-  for (size_t i = 1; i < clicks.P.size(); ++i)
-    deviation.push_back(std::fabs(std::log((clicks.P[i] - clicks.P[i - 1]) / T)));
+  for (const double gap : gaps) deviation.push_back(std::fabs(std::log(gap / T)));
   return upper_median(deviation);
 }
 
 double jitter(const ClickTrain& clicks) {
-  std::vector<double> gap;
-  for (size_t i = 1; i < clicks.P.size(); ++i) gap.push_back(clicks.P[i] - clicks.P[i - 1]);
+  const std::vector<double> gaps = gaps_of(clicks.P);
   std::vector<double> deviation;
-  for (size_t i = 0; i < gap.size(); ++i) {
-    const auto first = gap.begin() + static_cast<long>(i - std::min(i, kGapsAround)),
-               end = gap.begin() + static_cast<long>(std::min(gap.size(), i + kGapsAround + 1));
-    deviation.push_back(std::fabs(std::log(gap[i] / median({first, end}))));
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    const auto first = gaps.begin() + static_cast<long>(i - std::min(i, kGapsAround)),
+               end = gaps.begin() + static_cast<long>(std::min(gaps.size(), i + kGapsAround + 1));
+    deviation.push_back(std::fabs(std::log(gaps[i] / median({first, end}))));
   }
   return upper_median(deviation);
 }
