@@ -1,7 +1,6 @@
 #include "chain/blind_start.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "denoise/beyond_chance.hpp"
@@ -29,14 +28,10 @@ BlindStart start_from(unsigned seed, const std::vector<float>& x, const WordFit&
   return start;
 }
 
-/// `ahead`: by more than this.
-void keep_clearer(ClickSearch other, double ahead, BlindStart& start) {
-  if (other.clearness() > start.found.clearness() + ahead) start.found = std::move(other);
-}
-
 void search_beyond_chance(const std::vector<float>& x, const WordFit& clip, const Grid& background,
                           BlindStart& start) {
-  keep_clearer(search_clicks(x, psd_beyond_chance(start.blind, clip.power(), background)), 0, start);
+  ClickSearch other = search_clicks(x, psd_beyond_chance(start.blind, clip.power(), background));
+  if (other.clearness() > start.found.clearness()) start.found = std::move(other);
 }
 
 /// All of `total` (mean power per bin) from `low_hz` an octave up is drilling, hardly any of the rest.
@@ -49,16 +44,16 @@ MeanPsd psd_of_octave(double low_hz, const Eigen::ArrayXd& total) {
   return octave;
 }
 
-/// The clearest chain of an octave, if one is clear enough to tell a drill.
-std::optional<ClickSearch> found_in_octave(const std::vector<float>& x, const PowerSpectrogram& power) {
-  const Eigen::ArrayXd total = power.P.leftCols(power.frames).cast<double>().rowwise().mean();
-  std::optional<ClickSearch> clearest;
+/// The clearest chain of an octave, where one is clear enough to tell a drill that the split does not.
+void search_octaves(const std::vector<float>& x, const PowerSpectrogram& power, BlindStart& start) {
+  const Eigen::ArrayXd total = mean_power(power);
+  double least = std::max(kLeastOfOctave, start.found.clearness() + kOctaveAhead);
   for (double low_hz = kLowestOctave_hz; low_hz < kHighestOctave_hz; low_hz *= kOctaveStep) {
     ClickSearch found = search_clicks(x, psd_of_octave(low_hz, total));
-    if (found.clearness() >= std::max(kLeastOfOctave, clearest ? clearest->clearness() : 0))
-      clearest = std::move(found);
+    if (found.clearness() <= least) continue;
+    least = found.clearness();
+    start.found = std::move(found);
   }
-  return clearest;
 }
 
 }  // namespace
@@ -74,7 +69,7 @@ BlindStart clearest_start(const ChainOptions& options, const std::vector<float>&
     search_beyond_chance(x, clip, background, other);
     if (other.found.clearness() > best.found.clearness()) best = std::move(other);
   }
-  if (auto octave = found_in_octave(x, clip.power())) keep_clearer(std::move(*octave), kOctaveAhead, best);
+  search_octaves(x, clip.power(), best);
   return best;
 }
 

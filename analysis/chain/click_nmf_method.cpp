@@ -100,7 +100,7 @@ ClipMachine split_without_denoising(const std::vector<float>& x, const std::vect
                                     const Dump& dump) {
   const PowerSpectrogram power = power_spectrogram(stft(x, kChainStft));
   ClipMachine all;
-  all.signal_psd = power.P.leftCols(power.frames).cast<double>().rowwise().mean() * power.scale;
+  all.signal_psd = mean_power(power) * power.scale;
   all.noise_psd = Eigen::ArrayXd::Zero(all.signal_psd.size());
   const ClickSearch found = search_clicks(x, {all.signal_psd, all.noise_psd});
   all.clicks = fit(found, FitEffort::kFull, "only", dump);

@@ -69,9 +69,7 @@ DrillingEvidence evidence_in(const Segment& whole, const SearchedClip& clip, con
 constexpr char kEvidenceHeader[] =
     "begin_s,end_s,probability,clicks,total,chance_surplus,fast_total,gap_irregularity,gap_jitter,likeness,"
     "band_rise,bar_rhythm,strength_rhythm,waveform_repetition,background_alone,with_clicks,rate,swell,"
-    "surplus,pulses,"
-    "dispersion,rise,"
-    "rhythm,irregularity,unexplained,repetition";
+    "surplus,pulses,dispersion,rise,rhythm,irregularity,unexplained,repetition";
 
 /// Figures and, by their names, the weights against drilling that come of them.
 std::vector<double> evidence_row(const JudgedWindow& judged, const DrillingEvidence& e) {

@@ -20,6 +20,10 @@ PowerSpectrogram power_spectrogram(const Spectrogram& X) {
   return power;
 }
 
+Eigen::ArrayXd mean_power(const PowerSpectrogram& power) {
+  return power.P.leftCols(power.frames).cast<double>().rowwise().mean();
+}
+
 PowerSpectrogram frames_between(const PowerSpectrogram& power, int first, int last) {
   PowerSpectrogram part;
   part.frames = last - first;

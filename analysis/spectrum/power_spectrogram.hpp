@@ -22,6 +22,9 @@ PowerSpectrogram power_spectrogram(const Spectrogram& X);
 /// Frames [first, last) of it, in the same units. Thread: OFF.
 PowerSpectrogram frames_between(const PowerSpectrogram& power, int first, int last);
 
+/// Of every bin over time, in the units of P. Thread: OFF.
+Eigen::ArrayXd mean_power(const PowerSpectrogram& power);
+
 /// What Gaussian noise of exactly the modelled power leaves of its Itakura-Saito divergence on average, per
 /// cell: Euler's constant.
 constexpr double kNoiseDivergence = 0.5772156649;
