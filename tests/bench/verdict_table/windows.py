@@ -6,7 +6,7 @@ import shutil
 import subprocess
 import tempfile
 
-FEWEST_DRILLING = 6  # clicks
+FEWEST_DRILLING = 6  # kFewestDrillingClicks of clicks/drilling_test
 FEATURES = ('rate', 'swell', 'surplus', 'pulses', 'dispersion', 'rise', 'rhythm', 'irregularity', 'unexplained', 'repetition')
 
 

@@ -83,6 +83,17 @@ LowDrill low_drill(double rate_hz, double seconds, unsigned seed, const Band& ba
   return s;
 }
 
+/// `low`, of `seconds`, is found as loud as a background of the bench; its onsets to the period of the lowest
+/// mode.
+void check_found_in_background(LowDrill low, int id, double seconds, double least_f) {
+  const std::vector<double> background = drillbench_background(id, seconds);
+  for (size_t n = 0; n < low.sound.size(); ++n) low.sound[n] += float(0.05 * background[n]);
+  const ChainResult result = run_chain(low.sound, {});
+  CAPTURE(id);
+  CHECK(result.drilling_found);
+  CHECK(f_measure(result.clicks.P, low.P, 240) > least_f);
+}
+
 double si_sdr(const std::vector<float>& s, const std::vector<float>& e) {
   double es = 0, ss = 0, rest = 0;
   for (size_t n = 0; n < s.size(); ++n) es += double(e[n]) * s[n], ss += double(s[n]) * s[n];
@@ -159,38 +170,18 @@ TEST_CASE("clicks and sound of clips with known truth" * doctest::test_suite("lo
 }
 
 TEST_CASE("a low drill that rings slowly is found as loud as its background") {
-  for (const unsigned seed : {1U, 5U}) {
-    LowDrill low = low_drill(14 + (seed * 7) % 27, 2, seed);
-    const std::vector<double> background = drillbench_background(100 + int(seed), 2);
-    for (size_t n = 0; n < low.sound.size(); ++n) low.sound[n] += float(0.05 * background[n]);
-    const ChainResult result = run_chain(low.sound, {});
-    CHECK(result.drilling_found);
-    CHECK(f_measure(result.clicks.P, low.P, 240) > 0.95);  // to the period of the lowest mode
-  }
+  for (const unsigned seed : {1U, 5U})
+    check_found_in_background(low_drill(14 + (seed * 7) % 27, 2, seed), 100 + int(seed), 2, 0.95);
 }
 
 TEST_CASE("low drills are found although a blind split takes the hiss above them for drilling") {
-  for (const unsigned seed : {2U, 5U}) {
-    LowDrill low = low_drill(20 + 1.5 * seed, 4, seed);
-    const std::vector<double> background = drillbench_background(100 + int(seed), 4);
-    for (size_t n = 0; n < low.sound.size(); ++n) low.sound[n] += float(0.05 * background[n]);
-    const ChainResult result = run_chain(low.sound, {});
-    CAPTURE(seed);
-    CHECK(result.drilling_found);
-    CHECK(f_measure(result.clicks.P, low.P, 240) > 0.95);  // to the period of the lowest mode
-  }
+  for (const unsigned seed : {2U, 5U})
+    check_found_in_background(low_drill(20 + 1.5 * seed, 4, seed), 100 + int(seed), 4, 0.95);
 }
 
 TEST_CASE("a drill of which one octave rises out of its background is found there") {
-  for (const unsigned seed : {1U, 3U, 5U}) {
-    LowDrill low = low_drill(12 + 2 * seed, 2, seed, {280, 480});
-    const std::vector<double> background = drillbench_background(100 + int(seed), 2);
-    for (size_t n = 0; n < low.sound.size(); ++n) low.sound[n] += float(0.05 * background[n]);
-    const ChainResult result = run_chain(low.sound, {});
-    CAPTURE(seed);
-    CHECK(result.drilling_found);
-    CHECK(f_measure(result.clicks.P, low.P, 240) > 0.9);  // to the period of the lowest mode
-  }
+  for (const unsigned seed : {1U, 3U, 5U})
+    check_found_in_background(low_drill(12 + 2 * seed, 2, seed, {280, 480}), 100 + int(seed), 2, 0.9);
 }
 
 TEST_CASE("a breaker that strikes twice in every period is heard twice, at its own period") {
