@@ -13,18 +13,18 @@ constexpr std::size_t kObjections = 10;
 constexpr double kMostWeight = 3;
 
 // made by tests/bench/verdict
-constexpr double kBias = 4.55;
+constexpr double kBias = 4.61;
 constexpr std::array<double, kObjections> kCoefficients = {
-    1.33,  // rate
-    3.12,  // swell
-    5.83,  // surplus
+    1.35,  // rate
+    3.16,  // swell
+    5.62,  // surplus
     2.10,  // pulses
-    7.80,  // dispersion
-    2.96,  // rise
-    3.17,  // rhythm
+    7.62,  // dispersion
+    3.01,  // rise
+    3.20,  // rhythm
     3.73,  // irregularity
-    3.43,  // unexplained
-    5.54,  // repetition
+    3.44,  // unexplained
+    5.57,  // repetition
 };
 // end
 
