@@ -1,6 +1,7 @@
 #include "chain/clip_verdict.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "clicks/click_fit.hpp"
 #include "clicks/click_likeness.hpp"
@@ -11,11 +12,14 @@
 #include "clicks/rhythm.hpp"
 #include "clicks/selection.hpp"
 #include "denoise/cs_nmf.hpp"
+#include "numeric/quantile.hpp"
 #include "rigsound/analysis/chain.hpp"
 #include "rigsound/analysis/rate.hpp"
 
 namespace rigsound::analysis {
 namespace {
+
+constexpr double kQuarter = 0.25;  // of the bins: a codec empties cells of most, but hardly any of these
 
 ClickTrain clicks_in(const Segment& window, const ClickTrain& clicks) {
   ClickTrain inside = clicks;
@@ -61,15 +65,18 @@ DrillingEvidence evidence_in(const Segment& whole, const SearchedClip& clip, con
   e.likeness = click_likeness(power, clicks, heard);
   const Eigen::ArrayXf near = frames_near_clicks(e.clicks, power.frames);
   e.background_alone =
-      mean_divergence(power, clip.background_alone.middleCols(first, power.frames), near, heard);
-  e.with_clicks = mean_divergence(power, with_clicks.middleCols(first, power.frames), near, heard);
+      divergence_by_bin(power, clip.background_alone.middleCols(first, power.frames), near, heard).mean();
+  const Eigen::ArrayXd left =
+      divergence_by_bin(power, with_clicks.middleCols(first, power.frames), near, heard);
+  e.with_clicks = left.mean();
+  e.left_over = quantile(std::vector<double>(left.begin(), left.end()), kQuarter);
   return e;
 }
 
 constexpr char kEvidenceHeader[] =
     "begin_s,end_s,probability,clicks,total,chance_surplus,fast_total,gap_irregularity,gap_jitter,likeness,"
-    "band_rise,bar_rhythm,strength_rhythm,waveform_repetition,background_alone,with_clicks,rate,swell,"
-    "surplus,pulses,dispersion,rise,rhythm,irregularity,unexplained,repetition";
+    "band_rise,bar_rhythm,strength_rhythm,waveform_repetition,background_alone,with_clicks,left_over,"
+    "rate,swell,surplus,pulses,dispersion,rise,rhythm,irregularity,unexplained,repetition";
 
 /// Figures and, by their names, the weights against drilling that come of them.
 std::vector<double> evidence_row(const JudgedWindow& judged, const DrillingEvidence& e) {
@@ -88,7 +95,8 @@ std::vector<double> evidence_row(const JudgedWindow& judged, const DrillingEvide
                              e.strength_rhythm,
                              e.repetition,
                              e.background_alone,
-                             e.with_clicks};
+                             e.with_clicks,
+                             e.left_over};
   const auto weights = objection_weights(e);
   row.insert(row.end(), weights.begin(), weights.end());
   return row;

@@ -13,18 +13,18 @@ constexpr std::size_t kObjections = 10;
 constexpr double kMostWeight = 3;
 
 // made by tests/bench/verdict
-constexpr double kBias = 4.61;
+constexpr double kBias = 4.24;
 constexpr std::array<double, kObjections> kCoefficients = {
-    1.35,  // rate
-    3.16,  // swell
-    5.62,  // surplus
+    1.07,  // rate
+    3.23,  // swell
+    5.03,  // surplus
     2.10,  // pulses
-    7.62,  // dispersion
-    3.01,  // rise
+    5.12,  // dispersion
+    3.63,  // rise
     3.20,  // rhythm
-    3.73,  // irregularity
-    3.44,  // unexplained
-    5.57,  // repetition
+    3.05,  // irregularity
+    3.23,  // unexplained
+    5.36,  // repetition
 };
 // end
 

@@ -17,10 +17,11 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr double kToldFrom = 0.25;      // of the sum: figures that bear on it
-constexpr double kUnexplained = 0.01;   // divergence over that of noise: less leaves nothing to explain
-constexpr double kMostUnexplained = 1;  // what a codec or noise hides is no reason by itself
-constexpr double kFew_hz = 8;           // slower clicks are few, and so is all that they have over chance
+constexpr double kToldFrom = 0.25;     // of the sum: figures that bear on it
+constexpr double kUnexplained = 0.01;  // divergence over that of noise: less leaves nothing to explain
+constexpr double kMostHidden = 1;      // by a codec or noise: no reason by itself
+constexpr double kFew_hz = 8;          // slower clicks are few, and so is all that they have over chance
+constexpr double kNoExcuse = 1.5;      // above chance a click, for a unit of divergence
 constexpr RateRange kPulses{130, 400};
 constexpr double kFastestDrill_hz = 122;  // as found: kDrillingRates and what a period is known to
 constexpr double kSamePeriod = 0.8;       // of the clicks' own gap
@@ -45,45 +46,68 @@ double by_ratio(double value, double usual, double limit) {
   return on_a_scale(std::log(std::max(value, 1e-3)), std::log(usual), std::log(limit));
 }
 
-// `usual` and `limit`: first by logistic regression of the weights' sum, then rounded, and eased where a
-// drill was refused. The drills and other sounds of tests/bench/verdict, and beside them ids 0-31 and
+// `usual` and `limit` of all: first by logistic regression of the weights' sum, then rounded, and eased where
+// a drill was refused. The drills and other sounds of tests/bench/verdict, and beside them ids 0-31 and
 // 200-231, 44 drills of low modes and five recordings of drills. Of the drills none at 0 dB or more had a
 // jitter above 0.13, nine in ten a rise in 2.1 ms, a dispersion of 0.2 and 1 a click above chance; of those
 // with a rate above 8 Hz none had less than 12 above it altogether.
-Objections objections(const DrillingEvidence& e) {
-  const double rate = kAnalysisRate / e.clicks.mean_gap_samples;
+
+Objection swells(const DrillingEvidence& e) {
   const double rise = rise_samples(e.clicks.envelope), rise_ms = 1000 * rise / kAnalysisRate;
   // Long in itself, unless its bands rise steeply together (an engine's by a neper, a slow click's by two),
   // and long for its period.
   const double steepness = square_above_zero(std::max(1.0, e.likeness.rise));
-  const double swell = std::min(by_ratio(rise_ms / steepness, 2.1, 4.2),
-                                by_ratio(rise / e.clicks.mean_gap_samples, 0.1, 0.17));
+  return {std::min(by_ratio(rise_ms / steepness, 2.1, 4.2),
+                   by_ratio(rise / e.clicks.mean_gap_samples, 0.1, 0.17)),
+          fmt::format("it swells in {:.1f} ms instead of striking", rise_ms)};
+}
+
+double more_than_noise(const DrillingEvidence& e) { return e.left_over - kNoiseDivergence; }
+
+Objection near_chance(const DrillingEvidence& e, double rate) {
   const double surplus = e.surplus / static_cast<double>(e.clicks.P.size());
-  const double by_chance =
-      std::max(on_a_scale(surplus, 1, 0.3), rate > kFew_hz ? on_a_scale(e.surplus, 25, 8) : 0);
-  const double unexplained = std::max(e.background_alone - kNoiseDivergence, kUnexplained);
-  const double explained = (e.background_alone - e.with_clicks) / unexplained;
+  // Noise brings blows near chance. Where more than noise is left beside the clicks it excuses less.
+  const double clear = surplus - kNoExcuse * std::max(0.0, more_than_noise(e));
+  return {std::max(on_a_scale(clear, 1, 0.3), rate > kFew_hz ? on_a_scale(e.surplus, 25, 8) : 0),
+          fmt::format("its clicks are {:.1f} above chance", surplus)};
+}
+
+Objection unexplained(const DrillingEvidence& e) {
+  const double changes = std::max(e.background_alone - kNoiseDivergence, kUnexplained);
+  const double explained = (e.background_alone - e.with_clicks) / changes;
+  const double hidden = std::min(on_a_scale(explained, 0.76, 0.4), kMostHidden);
+  const double others = on_a_scale(more_than_noise(e), 0.15, 0.4);
+  if (others > hidden) return {others, "more than noise is left beside its clicks"};
+  return {hidden, fmt::format("a repeated click explains {:.0f} % of its changes", 100 * explained)};
+}
+
+/// The same waveform again, unless it rises out of what was before; much of it again where hardly anything
+/// rises; or at uneven times, or though its clicks differ, however steeply.
+Objection repeats(const DrillingEvidence& e) {
+  const auto again = [&e](double usual, double limit) { return on_a_scale(e.repetition, usual, limit); };
+  return {std::max({std::min(again(0.7, 0.85), on_a_scale(e.likeness.rise, 1.6, 1.0)),
+                    std::min(again(0.4, 0.65), on_a_scale(e.likeness.rise, 0.4, 0.15)),
+                    std::min(again(0.85, 0.96), on_a_scale(e.irregularity, 0.02, 0.07)),
+                    std::min(again(0.45, 0.65), on_a_scale(e.likeness.dispersion, 0.25, 0.35))}),
+          "its waveform comes again and again, like that of a voice, an engine or a creak"};
+}
+
+Objections objections(const DrillingEvidence& e) {
+  const double rate = kAnalysisRate / e.clicks.mean_gap_samples;
   const double pulses = e.fast_total / std::max(e.total, 1.0);
-  // The same waveform again, unless it rises out of what was before; much of it again where hardly anything
-  // rises; or at uneven times, however steeply.
-  const double repetition =
-      std::max({std::min(on_a_scale(e.repetition, 0.7, 0.85), on_a_scale(e.likeness.rise, 1.6, 1.0)),
-                std::min(on_a_scale(e.repetition, 0.4, 0.65), on_a_scale(e.likeness.rise, 0.4, 0.15)),
-                std::min(on_a_scale(e.repetition, 0.85, 0.96), on_a_scale(e.irregularity, 0.02, 0.07))});
   return {{
       {by_ratio(rate, 12, 6.8), fmt::format("{:.1f} clicks a second are slow", rate)},
-      {swell, fmt::format("it swells in {:.1f} ms instead of striking", rise_ms)},
-      {by_chance, fmt::format("its clicks are {:.1f} above chance", surplus)},
+      swells(e),
+      near_chance(e, rate),
       {on_a_scale(pulses, 0.05, 0.6), "it pulses faster than 130 Hz, like a voice or a tone"},
       {by_ratio(e.likeness.dispersion, 0.2, 0.4), "its clicks do not resemble one another"},
       {on_a_scale(e.likeness.rise, 0.35, 0), "its bands do not rise together"},
       {std::max(on_a_scale(e.likeness.rhythm, 0.1, 0.45), on_a_scale(e.strength_rhythm, 2.7, 4.2)),
        "its clicks follow a rhythm"},
-      {on_a_scale(e.jitter, 0.11, 0.16),
+      {on_a_scale(e.jitter, 0.11, 0.15),
        fmt::format("its gaps differ by {:.0f} %", 100 * std::expm1(e.jitter))},
-      {std::min(on_a_scale(explained, 0.76, 0.4), kMostUnexplained),
-       fmt::format("a repeated click explains {:.0f} % of its changes", 100 * explained)},
-      {repetition, "its waveform comes again and again, like that of a voice, an engine or a creak"},
+      unexplained(e),
+      repeats(e),
   }};
 }
 

@@ -28,13 +28,14 @@ struct DrillingEvidence {
   ClickLikeness likeness;
   double background_alone = 0;  ///< divergence per cell that a slow background leaves
   double with_clicks = 0;       ///< divergence per cell with the click train's words
+  double left_over = 0;         ///< the same of the bin that is left with more than a quarter of them
 };
 
 /// The probability that it is drilling: logistic in what its figures say against it. 0 for fewer than
 /// kFewestFitted clicks. Noise has clicks no better than chance finds; a swell (a rotary drill, an idling
 /// diesel) has no sharp rise; a voice or an instrument pulses faster than a drill or is not explained by one
-/// click repeated; the notes and drums of music differ from one another, follow bars or keep no period; a
-/// voice, an engine and stick-slip repeat their waveform.
+/// click repeated; the notes and drums of music differ from one another, follow bars, keep no period or
+/// sound beside others; a voice, an engine and stick-slip repeat their waveform.
 /// Thread: OFF.
 double drilling_probability(const DrillingEvidence& evidence);
 

@@ -77,13 +77,16 @@ Grid itakura_saito(const PowerSpectrogram& power, const Factors& factors) {
   return divergence;
 }
 
-double mean_divergence(const PowerSpectrogram& power, const Grid& divergence, const Eigen::ArrayXf& weight,
-                       long bins) {
+Eigen::ArrayXd divergence_by_bin(const PowerSpectrogram& power, const Grid& divergence,
+                                 const Eigen::ArrayXf& weight, long bins) {
   const Eigen::ArrayXf mean = power.P.topRows(bins).rowwise().mean();
-  const Eigen::ArrayXd audible = (mean > kAudiblePower * mean.maxCoeff()).cast<double>();
-  const Eigen::ArrayXd by_bin = (divergence.topRows(bins).matrix() * weight.matrix()).cast<double>().array() /
-                                std::max(1.0f, weight.sum());
-  return (by_bin * audible).sum() / audible.sum();
+  const float least = kAudiblePower * mean.maxCoeff();
+  Eigen::ArrayXd by_bin = (divergence.topRows(bins).matrix() * weight.matrix()).cast<double>().array() /
+                          std::max(1.0f, weight.sum());
+  long audible = 0;
+  for (long m = 0; m < bins; ++m)
+    if (mean(m) >= least) by_bin(audible++) = by_bin(m);
+  return by_bin.head(audible);
 }
 
 }  // namespace rigsound::analysis

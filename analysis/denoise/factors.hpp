@@ -43,9 +43,9 @@ Spectrogram wiener(const Spectrogram& X, const PsdPair& psd);
 /// P/L - ln(P/L) - 1 of every cell, L = W H: bins x frames. Thread: OFF.
 Grid itakura_saito(const PowerSpectrogram& power, const Factors& factors);
 
-/// Mean of `divergence` over those of the lowest `bins` bins that hold anything (1e-5 of the loudest) and the
-/// frames where `weight` is 1. Thread: OFF.
-double mean_divergence(const PowerSpectrogram& power, const Grid& divergence, const Eigen::ArrayXf& weight,
-                       long bins);
+/// Mean of `divergence` over the frames where `weight` is 1, one for each of those of the lowest `bins` bins
+/// that hold anything (1e-5 of the loudest). Thread: OFF.
+Eigen::ArrayXd divergence_by_bin(const PowerSpectrogram& power, const Grid& divergence,
+                                 const Eigen::ArrayXf& weight, long bins);
 
 }  // namespace rigsound::analysis

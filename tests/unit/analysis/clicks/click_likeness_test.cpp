@@ -95,13 +95,18 @@ TEST_CASE("bands that a codec writes now and then are no figure of the clicks") 
   CHECK(heard_bins(once, click_frames(train(), once.frames)) == 257);
 }
 
-TEST_CASE("bins over which no click is heard leave the divergence alone") {
+TEST_CASE("bins over which no click is heard, or that hold nothing, leave the divergence alone") {
   PowerSpectrogram power;
   power.frames = 100;
   power.P = Grid::Ones(10, power.frames);
+  power.P.row(2).setConstant(1e-6f);
   Grid divergence = Grid::Constant(10, power.frames, 0.5f);
   divergence.bottomRows(4).setConstant(9);
-  CHECK(mean_divergence(power, divergence, Eigen::ArrayXf::Ones(power.frames), 6) == doctest::Approx(0.5));
+  divergence.row(2).setConstant(9);
+  const auto by_bin = divergence_by_bin(power, divergence, Eigen::ArrayXf::Ones(power.frames), 6);
+  CHECK(by_bin.size() == 5);
+  CHECK(by_bin.minCoeff() == doctest::Approx(0.5));
+  CHECK(by_bin.maxCoeff() == doctest::Approx(0.5));
 }
 
 TEST_CASE("one click resembles nothing") {

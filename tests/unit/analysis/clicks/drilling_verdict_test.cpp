@@ -32,6 +32,7 @@ DrillingEvidence drill() {
   e.likeness = {0.16, 1.2, 0.02};
   e.background_alone = kNoiseDivergence + 0.3;
   e.with_clicks = kNoiseDivergence + 0.03;
+  e.left_over = kNoiseDivergence + 0.02;
   return e;
 }
 
@@ -80,6 +81,25 @@ TEST_CASE("each figure alone is reason enough when it is far out") {
   CHECK(reason_after([](DrillingEvidence& e) { e.jitter = std::log(1.5); }) == "its gaps differ by 50 %");
   CHECK(reason_after([](DrillingEvidence& e) { e.repetition = 0.95, e.likeness.rise = 0.7; }) ==
         "its waveform comes again and again, like that of a voice, an engine or a creak");
+  CHECK(reason_after([](DrillingEvidence& e) { e.left_over = kNoiseDivergence + 0.55; }) ==
+        "more than noise is left beside its clicks");
+}
+
+TEST_CASE("clicks near chance are a drill's where noise hides them, not where something else is heard") {
+  const auto near_chance = [](DrillingEvidence& e) {
+    e.surplus = 0.5 * static_cast<double>(e.clicks.P.size());
+  };
+  CHECK(!refused(near_chance));
+  CHECK(refused([&](DrillingEvidence& e) { near_chance(e), e.left_over = kNoiseDivergence + 0.15; }));
+  CHECK(!refused([&](DrillingEvidence& e) { e.left_over = kNoiseDivergence + 0.15; }));
+}
+
+TEST_CASE("a waveform that comes again belongs to clicks that resemble one another") {
+  const auto again = [](DrillingEvidence& e) { e.repetition = 0.65, e.likeness.rise = 1.7; };
+  const auto unlike = [](DrillingEvidence& e) { e.likeness.dispersion = 0.33; };
+  CHECK(!refused(again));
+  CHECK(probability(again) == doctest::Approx(drilling_probability(drill())));
+  CHECK(probability(unlike) - probability([&](DrillingEvidence& e) { again(e), unlike(e); }) > 0.3);
 }
 
 TEST_CASE("what a codec or noise hides is a doubt, and with another one reason enough") {
