@@ -22,6 +22,7 @@ constexpr double kUnexplained = 0.01;  // divergence over that of noise: less le
 constexpr double kMostHidden = 1;      // by a codec or noise: no reason by itself
 constexpr double kFew_hz = 8;          // slower clicks are few, and so is all that they have over chance
 constexpr double kNoExcuse = 1.5;      // above chance a click, for a unit of divergence
+constexpr double kOneSound = 0.04;     // dispersion: no drill found in noise has less than 0.05
 constexpr RateRange kPulses{130, 400};
 constexpr double kFastestDrill_hz = 122;  // as found: kDrillingRates and what a period is known to
 constexpr double kSamePeriod = 0.8;       // of the clicks' own gap
@@ -62,12 +63,15 @@ Objection swells(const DrillingEvidence& e) {
           fmt::format("it swells in {:.1f} ms instead of striking", rise_ms)};
 }
 
-double more_than_noise(const DrillingEvidence& e) { return e.left_over - kNoiseDivergence; }
+/// Beside clicks that are all one sound there is no other: what is left then is of their own form.
+double more_than_noise(const DrillingEvidence& e) {
+  return e.likeness.dispersion < kOneSound ? 0 : std::max(0.0, e.left_over - kNoiseDivergence);
+}
 
 Objection near_chance(const DrillingEvidence& e, double rate) {
   const double surplus = e.surplus / static_cast<double>(e.clicks.P.size());
   // Noise brings blows near chance. Where more than noise is left beside the clicks it excuses less.
-  const double clear = surplus - kNoExcuse * std::max(0.0, more_than_noise(e));
+  const double clear = surplus - kNoExcuse * more_than_noise(e);
   return {std::max(on_a_scale(clear, 1, 0.3), rate > kFew_hz ? on_a_scale(e.surplus, 25, 8) : 0),
           fmt::format("its clicks are {:.1f} above chance", surplus)};
 }
