@@ -7,7 +7,7 @@
 namespace rigsound::analysis {
 namespace {
 
-constexpr float kAudiblePower = 1e-5f;  // of the loudest bin's power
+constexpr double kAudiblePower = 1e-5;  // of the loudest bin's power
 constexpr float kModelFloor = 1e-12f;
 constexpr float kSilenced = 0.01f;  // of a bin's mean error
 
@@ -79,8 +79,8 @@ Grid itakura_saito(const PowerSpectrogram& power, const Factors& factors) {
 
 Eigen::ArrayXd divergence_by_bin(const PowerSpectrogram& power, const Grid& divergence,
                                  const Eigen::ArrayXf& weight, long bins) {
-  const Eigen::ArrayXf mean = power.P.topRows(bins).rowwise().mean();
-  const float least = kAudiblePower * mean.maxCoeff();
+  const Eigen::ArrayXd mean = mean_power(power).head(bins);
+  const double least = kAudiblePower * mean.maxCoeff();
   Eigen::ArrayXd by_bin = (divergence.topRows(bins).matrix() * weight.matrix()).cast<double>().array() /
                           std::max(1.0f, weight.sum());
   long audible = 0;
