@@ -83,6 +83,9 @@ TEST_CASE("each figure alone is reason enough when it is far out") {
         "its waveform comes again and again, like that of a voice, an engine or a creak");
   CHECK(reason_after([](DrillingEvidence& e) { e.left_over = kNoiseDivergence + 0.55; }) ==
         "more than noise is left beside its clicks");
+}
+
+TEST_CASE("what is left beside clicks that are all one sound is of their own form") {
   CHECK(!refused(
       [](DrillingEvidence& e) { e.left_over = kNoiseDivergence + 3, e.likeness.dispersion = 0.001; }));
 }
