@@ -140,8 +140,7 @@ bool leaves_octave(const ClickSearch& first, const ClickSearch& second) {
 Pass second_pass(const std::vector<float>& x, const MeanPsd& powers, const WordFit& clip,
                  const ClickSearch& first, const Dump& dump) {
   Pass pass{search_clicks(x, powers), {}, {}};
-  const bool lost =
-      pass.found.clearness() < kClear && first.clearness() > pass.found.clearness() + kLost;
+  const bool lost = pass.found.clearness() < kClear && first.clearness() > pass.found.clearness() + kLost;
   if (lost || leaves_octave(first, pass.found)) pass.found = first;
   pass.clicks = fit(pass.found, FitEffort::kFull, "pass2", dump);
   if (pass.clicks.P.size() >= kFewestFitted)
