@@ -11,13 +11,13 @@ import { constant, tone } from './sounds.mjs';
 const kName = 'normal_01500ms';
 const kCapture = `registerProcessor('capture', class extends AudioWorkletProcessor {
   process([input]) { if (input[0]) this.port.postMessage([...input[0]]); return true; } });`;
-let set, server, studio, page, conflict = false;
+let set, server, studio, page, conflict = false, held = null;
 const written = () => JSON.parse(server.asked.filter(({ method }) => method === 'PUT').at(-1).body);
 before(async () => {
   set = smallSet();
   server = await fakeServer(pages, {
     'GET /state': documents.withRecording, 'GET /sound_set': documents.withBanks, 'GET /rig': documents.rig, 'GET /sound_set.rigset': set.packed,
-    'GET /banks/': ({ path }) => documents.bank(path.split('/').pop()), 'GET /banks/overfeed_09000ms': { status: 422, json: { error: 'clicks.wav: is cut off' } },
+    'GET /banks/': async ({ path }) => { await held; return documents.bank(path.split('/').pop()); }, 'GET /banks/overfeed_09000ms': { status: 422, json: { error: 'clicks.wav: is cut off' } },
     [`GET /banks/${kName}/sound/recorded`]: constant(0.1, 4), [`GET /banks/${kName}/sound/denoised`]: constant(0.2, 4), [`GET /banks/${kName}/sound/synthesised`]: constant(0.3, 4),
     [`GET /banks/${kName}/clicks/`]: tone(900, 0.05),
     [`PUT /banks/${kName}/refinement`]: ({ body }) => (conflict ? { status: 409, json: { error: 'changed', version: 'r9' } } : { ...body, version: 'r1' }),
@@ -77,9 +77,22 @@ test('a bank that cannot be read says why', async () => {
   await photograph(page, 'compare_error');
 });
 
-test('a refinement is heard at once', async () => {
+test('a bank chosen again while it is on its way is opened once', async () => {
+  let release;
+  held = new Promise((done) => { release = done; });
+  const before_ = server.asked.length;
+  const openings = () => server.asked.slice(before_).filter(({ path }) => path === `/banks/${kName}`).length;
   await page.evaluate(() => { location.hash = '#/refine'; });
+  await until('does not open its first bank', () => openings() > 0);
+  await page.getByRole('button', { name: new RegExp(kName) }).click();
+  await page.getByRole('button', { name: new RegExp(kName) }).click();
+  release();
+  held = null;
   await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
+  assert.equal(openings(), 1);
+});
+
+test('a refinement is heard at once', async () => {
   await page.getByRole('button', { name: 'Play', exact: true }).click();
   const before_ = await loudnessThat(page, (found) => found > 1e-3);
   await page.getByRole('slider', { name: 'Level trim' }).fill('-24');

@@ -9,6 +9,7 @@ export interface WorkFrame {
   /** Where the thing is worked on, and the buttons that go with it. */
   readonly work: HTMLElement;
   readonly actions: HTMLElement;
+  /** What is chosen again while it is on its way is opened once. */
   show(id: string): Promise<void>;
   /** For the page to give back; its shortcuts are those of what is open. */
   readonly opened: Opened;
@@ -17,7 +18,7 @@ export interface WorkFrame {
 /** `words`: while it loads. `shown` is told which thing it is, also when a person rather stays. */
 export const workFrame = (words: string, open: (id: string, place: HTMLElement, tools: HTMLElement) => Promise<Opened>, shown: (id: string) => void): WorkFrame => {
   const work = h('div', { class: 'stack' }), actions = h('div', { class: 'row' }), shortcuts: Shortcut[] = [];
-  let now: Opened | null = null, turn = 0, here = '';
+  let now: Opened | null = null, turn = 0, here = '', onItsWay = '';
   const put = (made: Opened | null, place: HTMLElement, tools: HTMLElement | null): void => {
     now = made;
     work.replaceChildren(place);
@@ -25,10 +26,11 @@ export const workFrame = (words: string, open: (id: string, place: HTMLElement, 
     shortcuts.splice(0, shortcuts.length, ...(made?.shortcuts ?? []));
   };
   const show = async (id: string): Promise<void> => {
+    if (id === onItsWay) return;
     const lost = now?.unsaved?.();
     if (lost && !confirm(`${lost} Leave all the same?`)) return shown(here);
     const mine = ++turn;
-    shown(here = id);
+    shown(here = onItsWay = id);
     now?.close();
     put(null, loading(words), null);
     try {
@@ -38,6 +40,8 @@ export const workFrame = (words: string, open: (id: string, place: HTMLElement, 
       put(made, place, tools);
     } catch (error) {
       if (mine === turn) put(null, failed(error, () => void show(id)), null);
+    } finally {
+      if (mine === turn) onItsWay = '';
     }
   };
   return { work, actions, show, opened: { shortcuts, unsaved: () => now?.unsaved?.() ?? null, close: () => { ++turn; now?.close(); } } };
